@@ -1,0 +1,6 @@
+//! The compiler that turns ladder logic into hardware.
+
+pub mod diagnostic;
+pub mod quantity;
+pub mod source;
+pub mod types;
