@@ -3,4 +3,5 @@
 pub mod diagnostic;
 pub mod quantity;
 pub mod source;
+pub mod syntax;
 pub mod types;
