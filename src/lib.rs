@@ -1,6 +1,9 @@
 //! The compiler that turns ladder logic into hardware.
 
+pub mod blocks;
+pub mod circuit;
 pub mod diagnostic;
+mod index;
 pub mod quantity;
 pub mod source;
 pub mod syntax;

@@ -1,0 +1,203 @@
+//! The function blocks. A block is defined in one file and one line of [`ALL`]: ports and
+//! documentation, the plain step that the reference evaluator runs, the circuit that becomes
+//! hardware, and timing diagrams that both must follow.
+
+mod ctd;
+mod ctu;
+mod ctud;
+mod f_trig;
+mod module;
+mod port;
+mod r_trig;
+pub mod reference;
+mod rs;
+mod sr;
+mod tof;
+mod ton;
+mod tonr;
+mod tp;
+pub mod wave;
+
+use crate::circuit::{Circuit, Net};
+
+pub use module::{CLEAR_AFTER, CLEAR_BEFORE, POWER, TICK, last, module};
+pub use port::{Port, PortRole, Start};
+
+/// Constants that a time preset takes.
+const TIMES: (i64, i64) = (0, i32::MAX as i64);
+/// Constants that the preset of a counter takes.
+const COUNTS: (i64, i64) = (0, i16::MAX as i64);
+/// Smallest and largest count of an IEC counter.
+const LOWEST: i64 = i16::MIN as i64;
+const HIGHEST: i64 = i16::MAX as i64;
+
+/// Every block, in the order of the block reference.
+pub const ALL: &[&Block] = &[
+    &ton::TON,
+    &tof::TOF,
+    &tp::TP,
+    &tonr::TONR,
+    &ctu::CTU,
+    &ctd::CTD,
+    &ctud::CTUD,
+    &r_trig::R_TRIG,
+    &f_trig::F_TRIG,
+    &sr::SR,
+    &rs::RS,
+];
+
+/// The block of that kind.
+pub fn named(kind: &str) -> Option<&'static Block> {
+    ALL.iter().copied().find(|block| block.name == kind)
+}
+
+/// A kind of function block.
+#[derive(Debug)]
+pub struct Block {
+    /// The kind as written in a call.
+    pub name: &'static str,
+    /// What it is called in words.
+    pub title: &'static str,
+    /// What it does, and the document that says so.
+    pub doc: &'static str,
+    /// Parameters, outputs and hidden state.
+    pub ports: &'static [Port],
+    /// The output that goes on to the right; the power itself where there is none.
+    pub main: Option<&'static str>,
+    /// One call as a PLC would do it.
+    pub step: fn(&mut Step),
+    /// The same as a circuit.
+    pub build: fn(&mut Logic),
+    /// Timing diagrams, drawn from the document; see [`wave`].
+    pub waves: &'static [&'static str],
+}
+
+impl Block {
+    /// The index of the port of that name.
+    pub fn port_named(&self, name: &str) -> Option<usize> {
+        self.ports.iter().position(|port| port.name == name)
+    }
+
+    /// The index of the output that goes on to the right, if it is not the power itself.
+    pub fn main_port(&self) -> Option<usize> {
+        self.main.and_then(|name| self.port_named(name))
+    }
+
+    /// What each port is at reset, given the values that the presets have then.
+    pub fn starts(&self, preset: impl Fn(usize) -> i64) -> Vec<i64> {
+        let start = |port: &Port| match port.start {
+            Start::Value(value) => value,
+            Start::Preset(name) => {
+                let preset_port = self.expect_port(name);
+                self.ports[preset_port].role.within(preset(preset_port))
+            }
+        };
+        self.ports.iter().map(start).collect()
+    }
+
+    fn expect_port(&self, name: &str) -> usize {
+        self.port_named(name).unwrap_or_else(|| panic!("{} has no port {name}", self.name))
+    }
+}
+
+/// What a plain step sees and changes: parameters, outputs and hidden state as numbers.
+pub struct Step<'a> {
+    /// The kind.
+    pub block: &'static Block,
+    /// The power that arrives.
+    pub power: bool,
+    /// This scan has the tick.
+    pub tick: bool,
+    /// The value of each port of the block.
+    pub values: &'a mut [i64],
+}
+
+impl Step<'_> {
+    /// The value of a port.
+    pub fn get(&self, port: &str) -> i64 {
+        self.values[self.block.expect_port(port)]
+    }
+
+    /// What a preset acts as: a value out of its range as the nearest in it.
+    pub fn preset(&self, port: &str) -> i64 {
+        let role = self.block.ports[self.block.expect_port(port)].role;
+        role.within(self.get(port))
+    }
+
+    /// True if a `BOOL` port is 1.
+    pub fn is_on(&self, port: &str) -> bool {
+        self.get(port) != 0
+    }
+
+    /// Gives a port its new value.
+    pub fn set(&mut self, port: &str, value: impl Into<i64>) {
+        self.values[self.block.expect_port(port)] = value.into();
+    }
+}
+
+/// What a block's circuit is built from: the nets of its ports before the call, to be replaced by
+/// those after it.
+pub struct Logic<'a> {
+    /// The kind.
+    pub block: &'static Block,
+    /// Where the cells go.
+    pub circuit: &'a mut Circuit,
+    /// The power that arrives.
+    pub power: Net,
+    /// This scan has the tick.
+    pub tick: Net,
+    nets: Vec<Net>,
+}
+
+impl Logic<'_> {
+    /// The net of a port.
+    pub fn get(&self, port: &str) -> Net {
+        self.nets[self.block.expect_port(port)]
+    }
+
+    /// Gives an output or a part of the hidden state its new value.
+    pub fn set(&mut self, port: &str, net: Net) {
+        self.nets[self.block.expect_port(port)] = net;
+    }
+
+    /// A number of the type of a port.
+    pub fn constant(&mut self, port: &str, value: i64) -> Net {
+        let ty = self.block.ports[self.block.expect_port(port)].ty;
+        self.circuit.constant(ty.bits(value), ty.width())
+    }
+
+    /// What a preset acts as: 0 if it is negative.
+    pub fn preset(&mut self, port: &str) -> Net {
+        let given = self.get(port);
+        let zero = self.constant(port, 0);
+        let negative = self.circuit.less(given, zero, true);
+        self.circuit.mux(negative, zero, given)
+    }
+
+    /// One bit: the one-bit `now` is 1 and the one-bit port `memory` is 0.
+    pub fn rise(&mut self, now: Net, memory: &str) -> Net {
+        let was = self.get(memory);
+        let idle = self.circuit.not(was);
+        self.circuit.and([now, idle])
+    }
+
+    /// One bit: `a` is `b` or more, both signed.
+    pub fn reached(&mut self, a: Net, b: Net) -> Net {
+        let short = self.circuit.less(a, b, true);
+        self.circuit.not(short)
+    }
+
+    /// `from` + 1 where the one-bit `count` is 1.
+    pub fn count_up(&mut self, from: Net, count: Net) -> Net {
+        let width = self.circuit.width(from);
+        let step = self.circuit.resize(count, width, false);
+        self.circuit.add(from, step)
+    }
+
+    /// `from` - 1 where the one-bit `count` is 1.
+    pub fn count_down(&mut self, from: Net, count: Net) -> Net {
+        let width = self.circuit.width(from);
+        let step = self.circuit.resize(count, width, false);
+        self.circuit.sub(from, step)
+    }
+}

@@ -1,0 +1,147 @@
+//! One circuit without instances, for whoever needs the bare function: simulation, proof.
+
+use std::collections::BTreeSet;
+
+use super::{Cell, Circuit, Design, Net, Op, Output, Valid};
+use crate::index::index;
+
+/// Net in the flat circuit of each net of an instance, made when it is first needed.
+struct Inlined<'d> {
+    name: &'d str,
+    module: &'d Circuit,
+    inputs: &'d [Net],
+    nets: Vec<Option<Net>>,
+}
+
+struct Flattener {
+    flat: Circuit,
+    /// Net in the flat circuit of each input port of the top.
+    inputs: Vec<Net>,
+    /// Net in the flat circuit of each net of the top.
+    nets: Vec<Option<Net>>,
+}
+
+impl Valid<Design> {
+    /// The top circuit with every instance put in its place; registers of an instance are named
+    /// `instance.register`.
+    pub fn flatten(&self) -> Circuit {
+        let top = self.top();
+        let mut flat = Circuit::new(&top.name);
+        let inputs =
+            top.inputs.iter().map(|port| flat.input(port.name.clone(), port.width)).collect();
+        let mut flattener = Flattener { flat, inputs, nets: vec![None; top.len()] };
+        let mut inlined: Vec<Inlined> = top
+            .instances
+            .values()
+            .map(|instance| {
+                let module = &self.modules[instance.module];
+                let nets = vec![None; module.len()];
+                Inlined { name: &instance.name, module, inputs: &instance.inputs, nets }
+            })
+            .collect();
+        for (net, cell) in top.cells() {
+            let copy = match cell.op {
+                Op::Port(instance, output) => {
+                    let inlined = &mut inlined[index(instance)];
+                    flattener.inline(inlined, inlined.module.outputs[output as usize].net)
+                }
+                _ => flattener.copy_top(top, cell),
+            };
+            flattener.nets[index(net)] = Some(copy);
+        }
+        for inlined in &mut inlined {
+            for (_, register) in inlined.module.registers.iter() {
+                flattener.inline(inlined, register.next);
+            }
+            flattener.drive(inlined.module, &inlined.nets);
+        }
+        let nets = std::mem::take(&mut flattener.nets);
+        flattener.drive(top, &nets);
+        for Output { name, net } in &top.outputs {
+            flattener.flat.output(name.clone(), nets[index(*net)].expect("every cell was copied"));
+        }
+        flattener.flat
+    }
+}
+
+impl Flattener {
+    fn copy_top(&mut self, top: &Circuit, cell: Cell) -> Net {
+        match cell.op {
+            Op::Input(port) => self.inputs[port as usize],
+            Op::Register(id) => {
+                let register = &top.registers[id];
+                self.flat.register(register.name.clone(), register.width, register.reset).1
+            }
+            _ => {
+                let Flattener { flat, nets, .. } = self;
+                copy_cell(flat, top, cell, |net| nets[index(net)].expect("operands come first"))
+            }
+        }
+    }
+
+    /// Copies what `target` needs within the instance and was not needed before.
+    fn inline(&mut self, inlined: &mut Inlined, target: Net) -> Net {
+        let module = inlined.module;
+        let mut open = vec![target];
+        let mut needed = BTreeSet::new();
+        while let Some(net) = open.pop() {
+            if inlined.nets[index(net)].is_none() && needed.insert(index(net)) {
+                module.for_each_operand(module.cell(net), |operand| open.push(operand));
+            }
+        }
+        for at in needed {
+            let cell = module.cell(Net::from_raw((at as u32).into()));
+            let copy = match cell.op {
+                Op::Input(port) => self.nets[index(inlined.inputs[port as usize])]
+                    .expect("a valid design has no combinational loop"),
+                Op::Register(id) => {
+                    let register = &module.registers[id];
+                    let name = format!("{}.{}", inlined.name, register.name);
+                    self.flat.register(name, register.width, register.reset).1
+                }
+                _ => copy_cell(&mut self.flat, module, cell, |net| {
+                    inlined.nets[index(net)].expect("operands come first")
+                }),
+            };
+            inlined.nets[at] = Some(copy);
+        }
+        inlined.nets[index(target)].expect("the target was copied")
+    }
+
+    /// Gives the copies of a circuit's registers their next values.
+    fn drive(&mut self, from: &Circuit, nets: &[Option<Net>]) {
+        for (net, cell) in from.cells() {
+            let (Op::Register(id), Some(copy)) = (cell.op, nets[index(net)]) else { continue };
+            let Op::Register(copy) = self.flat.cell(copy).op else {
+                unreachable!("a register's copy is a register")
+            };
+            let next = nets[index(from.registers[id].next)].expect("every next value was copied");
+            self.flat.drive(copy, next);
+        }
+    }
+}
+
+/// Makes a cell anew with other operands; inputs, registers and ports are the caller's.
+pub(super) fn copy_cell(
+    to: &mut Circuit,
+    from: &Circuit,
+    cell: Cell,
+    map: impl Fn(Net) -> Net,
+) -> Net {
+    let list = |operands| from.list(operands).iter().map(|&net| map(net));
+    match cell.op {
+        Op::Input(_) | Op::Register(_) | Op::Port(..) => unreachable!("the caller copies these"),
+        Op::Const(value) => to.constant(value, cell.width),
+        Op::Not(from) => to.not(map(from)),
+        Op::And(operands) => to.and(list(operands)),
+        Op::Or(operands) => to.or(list(operands)),
+        Op::Xor(a, b) => to.xor(map(a), map(b)),
+        Op::Mux { select, on, off } => to.mux(map(select), map(on), map(off)),
+        Op::Add(a, b) => to.add(map(a), map(b)),
+        Op::Sub(a, b) => to.sub(map(a), map(b)),
+        Op::Eq(a, b) => to.eq(map(a), map(b)),
+        Op::Less { a, b, signed } => to.less(map(a), map(b), signed),
+        Op::Extend { from, signed } => to.resize(map(from), cell.width, signed),
+        Op::Slice { from, low } => to.slice(map(from), low, cell.width),
+    }
+}
