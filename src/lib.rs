@@ -1,9 +1,11 @@
 //! The compiler that turns ladder logic into hardware.
 
 pub mod blocks;
+pub mod check;
 pub mod circuit;
 pub mod diagnostic;
 mod index;
+pub mod model;
 pub mod quantity;
 pub mod source;
 pub mod syntax;

@@ -1,0 +1,397 @@
+//! Header, clock, variables, constants and block instances.
+
+use super::names::{Constant, Entity, not_a_constant};
+use super::{Checked, Checker, literal};
+use crate::blocks;
+use crate::diagnostic::{Diagnostic, code, shortened, similar_name};
+use crate::model::{self, ExprKind, Instance, Role, Variable};
+use crate::quantity;
+use crate::source::Span;
+use crate::syntax::ast::{
+    self, Declarator, ElementKind, File, Initial, Item, Series, TypeName, VariableKind, Variables,
+};
+use crate::types::Type;
+
+/// Characters of the longest program name.
+const LONGEST_PROGRAM_NAME: usize = 64;
+/// Kinds of block that people know and that are still to come; a kind that is there is found first.
+const PLANNED_BLOCKS: [&str; 18] = [
+    "AB_TON", "AB_TOF", "AB_RTO", "AB_CTU", "AB_CTD", "AB_ONS", "T1_0", "T0_1", "T_01", "TS", "TT",
+    "UC", "DC", "DRUM", "SHL", "SHR", "RTO", "ONS",
+];
+const DEFAULT_CLOCK_HZ: u64 = 12_000_000;
+const DEFAULT_TICK_NS: u64 = 1_000_000;
+
+impl<'s> Checker<'s> {
+    pub(super) fn declare_header(&mut self, file: &File<'s>) {
+        let headers: Vec<_> = file
+            .items
+            .iter()
+            .filter_map(|item| if let Item::Header(header) = item { Some(header) } else { None })
+            .collect();
+        let Some((first, others)) = headers.split_first() else {
+            let end = self.source.text().len();
+            let (start, label) = match file.items.is_empty() {
+                true => (end, "the file ends here"),
+                false => (0, "no header stands before this"),
+            };
+            let diagnostic = Diagnostic::new(
+                code::NO_LADDER,
+                Span::new(start, start),
+                "the file does not say `ladder NAME`",
+            )
+            .label(label)
+            .help("a program starts with a line such as: ladder conveyor");
+            self.report(diagnostic);
+            return;
+        };
+        for other in others {
+            let diagnostic =
+                Diagnostic::new(code::NO_LADDER, other.name.span, "a file holds one program")
+                    .label("a second header")
+                    .also(first.name.span, "the first header")
+                    .help("move one of them into a file of its own");
+            self.report(diagnostic);
+        }
+        if let Err(why) = program_name(first.name.text) {
+            let message = "the program's name cannot name a module and its files";
+            let diagnostic = Diagnostic::new(code::BAD_PROGRAM_NAME, first.name.span, message)
+                .label(why)
+                .help("a good name is short: letters, digits and underscores, a letter first");
+            self.report(diagnostic);
+        }
+        self.program.name = first.name.text.to_owned();
+        self.program.title = first.title.map(|title| title.text.to_owned());
+    }
+
+    pub(super) fn declare_clock(&mut self, file: &File<'s>) {
+        let (mut clock, mut tick) = (None, None);
+        for item in &file.items {
+            let (slot, quantity) = match item {
+                Item::Clock(quantity) => (&mut clock, *quantity),
+                Item::Tick(quantity) => (&mut tick, *quantity),
+                _ => continue,
+            };
+            if let Some(first) = slot.replace(quantity) {
+                let diagnostic =
+                    Diagnostic::new(code::BAD_CLOCK, quantity.span, "this is said twice")
+                        .label("said again")
+                        .also(first.span, "said here first")
+                        .help("keep one of them");
+                self.report(diagnostic);
+            }
+        }
+        let up_to = |most: u64| move |value: &i128| (1..=i128::from(most)).contains(value);
+        self.program.clock_hz = DEFAULT_CLOCK_HZ;
+        self.program.tick_ns = DEFAULT_TICK_NS;
+        if let Some(quantity) = clock {
+            match quantity::frequency_hz(quantity.text).filter(up_to(quantity::FASTEST_CLOCK_HZ)) {
+                Some(hz) => self.program.clock_hz = hz as u64,
+                None => {
+                    let diagnostic =
+                        Diagnostic::new(code::BAD_CLOCK, quantity.span, "no such clock")
+                            .label("not a whole number of hertz up to 1 THz")
+                            .help("write a frequency with its unit, such as 12MHz or 50MHz");
+                    self.report(diagnostic);
+                }
+            }
+        }
+        if let Some(quantity) = tick {
+            match quantity::time_ns(quantity.text).filter(up_to(quantity::LONGEST_TICK_NS)) {
+                Some(ns) => self.program.tick_ns = ns as u64,
+                None => {
+                    let diagnostic =
+                        Diagnostic::new(code::BAD_CLOCK, quantity.span, "no such tick")
+                            .label("not a time from 1ns to an hour")
+                            .help("write a time with its unit, such as 1ms or 10ms");
+                    self.report(diagnostic);
+                }
+            }
+        }
+        let period = u128::from(self.program.clock_hz) * u128::from(self.program.tick_ns);
+        if period < 1_000_000_000 {
+            let span = tick.or(clock).map_or(Span::default(), |quantity| quantity.span);
+            let diagnostic =
+                Diagnostic::new(code::BAD_CLOCK, span, "a tick is shorter than one clock")
+                    .label("too short for the clock")
+                    .help("make the tick longer or the clock faster");
+            self.report(diagnostic);
+        }
+    }
+
+    pub(super) fn declare_variables(&mut self, variables: &Variables<'s>) {
+        let ty = match &variables.ty {
+            None => Ok(Type::Bool),
+            Some(name) => self.type_named(name),
+        };
+        for declarator in &variables.names {
+            let entity = match ty {
+                Ok(ty) => self.variable(variables.kind, declarator, ty),
+                Err(_) => Entity::Broken,
+            };
+            if let Err(diagnostic) = self.names.declare(declarator.name, entity) {
+                self.report(*diagnostic);
+            }
+        }
+    }
+
+    fn type_named(&mut self, name: &TypeName<'s>) -> Checked<Type> {
+        if let Some(length) = &name.length {
+            let diagnostic =
+                Diagnostic::new(code::NOT_YET, length.span, "arrays are not supported yet")
+                    .label("an array")
+                    .help("declare one variable for each element");
+            return Err(self.report(diagnostic));
+        }
+        Type::named(name.name.text).ok_or_else(|| {
+            let names = Type::ALL.map(Type::name);
+            let message = format!("there is no type `{}`", shortened(name.name.text));
+            let help = match similar_name(name.name.text, names) {
+                Some(similar) => format!("is `{similar}` meant?"),
+                None => format!("the types are {}", names.join(", ")),
+            };
+            self.report(
+                Diagnostic::new(code::UNKNOWN_NAME, name.name.span, message)
+                    .label("not a type")
+                    .help(help),
+            )
+        })
+    }
+
+    fn variable(&mut self, kind: VariableKind, declarator: &Declarator<'s>, ty: Type) -> Entity {
+        let role = match kind {
+            VariableKind::Input => Role::Input,
+            VariableKind::Output => Role::Output,
+            VariableKind::Var => Role::Local,
+        };
+        let initial = match &declarator.initial {
+            None => Ok(0),
+            Some(initial) => self.initial_value(role, initial, ty),
+        };
+        let address = match declarator.address {
+            Some(address) => self.address(role, ty, declarator.name, address).map(Some),
+            None => Ok(None),
+        };
+        let (initial, address) = (initial.unwrap_or(0), address.unwrap_or(None));
+        let name = declarator.name.text.into();
+        let span = declarator.name.span;
+        Entity::Variable(self.program.variables.alloc(Variable {
+            name,
+            ty,
+            initial,
+            is_initialised: declarator.initial.is_some(),
+            role,
+            address,
+            span,
+        }))
+    }
+
+    fn initial_value(&mut self, role: Role, initial: &Initial<'s>, ty: Type) -> Checked<i64> {
+        let value = match initial {
+            Initial::Value(value) => value,
+            Initial::List(_, span) => {
+                let message = "a list is for an array";
+                let diagnostic = Diagnostic::new(code::TYPE_MISMATCH, *span, message)
+                    .label("a list")
+                    .help("give one value");
+                return Err(self.report(diagnostic));
+            }
+        };
+        if role == Role::Input {
+            let diagnostic =
+                Diagnostic::new(code::NOT_WRITABLE, value.span, "an input has no initial value")
+                    .label("an input takes what comes from outside")
+                    .help("remove it");
+            return Err(self.report(diagnostic));
+        }
+        self.constant(value, Some(ty)).map(|(_, value)| value)
+    }
+
+    fn address(
+        &mut self,
+        role: Role,
+        ty: Type,
+        name: ast::Name<'s>,
+        literal: ast::Literal<'s>,
+    ) -> Checked<u16> {
+        let (low, high, what) = match role {
+            Role::Input => (0, 255, "inputs"),
+            Role::Output => (256, 511, "outputs"),
+            _ => (512, 1022, "variables"),
+        };
+        let address = literal::integer(literal)
+            .filter(|address| (low..=high).contains(address))
+            .map(|address| address as u16);
+        let problem = |message: String| Diagnostic::new(code::BAD_ADDRESS, literal.span, message);
+        let another = "choose another address, or leave `at` out";
+        let diagnostic = match address {
+            _ if ty != Type::Bool => problem("only a BOOL has an image address".to_owned())
+                .label(format!("the address of a value of type {ty}"))
+                .help("leave `at` out"),
+            None => problem(format!("{what} have the addresses {low} to {high}"))
+                .label("outside that region")
+                .help(another),
+            Some(address) => {
+                let Some(other) = self.addresses.insert(address, name) else { return Ok(address) };
+                self.addresses.insert(address, other);
+                problem(format!("`{}` has this address already", other.text))
+                    .label("taken")
+                    .also(other.span, "has the same address")
+                    .help(another)
+            }
+        };
+        Err(self.report(diagnostic))
+    }
+
+    pub(super) fn declare_constant(&mut self, constant: &ast::Constant<'s>) {
+        let ty = constant.ty.as_ref().map(|name| self.type_named(name)).transpose();
+        let value = ty.and_then(|ty| {
+            let untyped = ty.is_none() && self.takes_any_type(&constant.value);
+            let (ty, value) = if untyped {
+                (None, self.untyped_constant(&constant.value)?)
+            } else {
+                let (ty, value) = self.constant(&constant.value, ty)?;
+                (Some(ty), value)
+            };
+            let index = self.program.constants.len();
+            self.program.constants.push(model::Constant {
+                name: constant.name.text.to_owned(),
+                is_used: false,
+                span: constant.name.span,
+            });
+            Ok(Constant { ty, value, index })
+        });
+        let entity = value.map_or(Entity::Broken, Entity::Constant);
+        if let Err(diagnostic) = self.names.declare(constant.name, entity) {
+            self.report(*diagnostic);
+        }
+    }
+
+    /// The type and value of a constant expression.
+    pub(super) fn constant(
+        &mut self,
+        expr: &ast::Expr<'s>,
+        want: Option<Type>,
+    ) -> Checked<(Type, i64)> {
+        let value = self.expression(expr, want)?;
+        match value.kind {
+            ExprKind::Constant(constant) => Ok((value.ty, constant)),
+            _ => Err(self.report(not_a_constant(expr.span))),
+        }
+    }
+
+    /// Declares every block that a network calls, before any member is looked up.
+    pub(super) fn declare_instances(&mut self, network: &Series<'s>) {
+        for element in &network.elements {
+            match &element.kind {
+                ElementKind::Parallel(branches) => {
+                    branches.iter().for_each(|branch| self.declare_instances(branch));
+                }
+                ElementKind::Call(call) => {
+                    self.declare_instance(call);
+                    call.arguments.iter().for_each(|argument| self.declare_misplaced(argument));
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// A block in an argument is a mistake of its own; that nothing bears its name is not another.
+    fn declare_misplaced(&mut self, argument: &ast::Argument<'s>) {
+        let ast::ArgumentValue::Network(network) = &argument.value else { return };
+        for element in &network.elements {
+            if let ElementKind::Call(call) = &element.kind {
+                // Were the name taken, that would be found again once the block stands elsewhere.
+                let _ = self.names.declare(call.name, Entity::Broken);
+            }
+        }
+    }
+
+    fn declare_instance(&mut self, call: &ast::Call<'s>) {
+        let entity = match blocks::named(call.kind.text) {
+            Some(block) => self.instance(call, block),
+            None => {
+                self.report(unknown_block(call.kind));
+                Entity::Broken
+            }
+        };
+        if let (Some(Entity::Instance(_)), Some(first)) =
+            (self.names.get(call.name.text), self.names.place(call.name.text))
+        {
+            let message = format!("`{}` is called twice", call.name.text);
+            let diagnostic = Diagnostic::new(code::CALLED_TWICE, call.name.span, message)
+                .label("called again")
+                .also(first, "called here first")
+                .help("give the second call a name of its own, or read the first one's members");
+            self.report(diagnostic);
+        } else if let Err(diagnostic) = self.names.declare(call.name, entity) {
+            let help = "the name before `:` names the block: `a delay:TON(PT := 5s)`";
+            self.report(diagnostic.help(help));
+        }
+    }
+
+    fn instance(&mut self, call: &ast::Call<'s>, block: &'static blocks::Block) -> Entity {
+        let span = call.name.span;
+        let name = call.name.text.to_owned();
+        let given = block
+            .ports
+            .iter()
+            .map(|port| call.arguments.iter().any(|argument| argument.name.text == port.name))
+            .collect();
+        let instance = Instance { name, block, members: Vec::new(), given, span };
+        let id = self.program.instances.alloc(instance);
+        for (index, port) in block.ports.iter().enumerate() {
+            let variable = self.program.variables.alloc(Variable {
+                name: format!("{}.{}", call.name.text, port.name).into(),
+                ty: port.ty,
+                initial: 0,
+                is_initialised: false,
+                role: Role::Member(id, index),
+                address: None,
+                span,
+            });
+            self.program.instances[id].members.push(variable);
+        }
+        Entity::Instance(id)
+    }
+}
+
+fn unknown_block(kind: ast::Name<'_>) -> Diagnostic {
+    let kinds = || blocks::ALL.iter().map(|block| block.name);
+    let all = || format!("the blocks are {}", kinds().collect::<Vec<_>>().join(", "));
+    if PLANNED_BLOCKS.contains(&kind.text) {
+        let message = format!("the block `{}` is not supported yet", kind.text);
+        return Diagnostic::new(code::NOT_YET, kind.span, message)
+            .label("reserved for a later version")
+            .help(all());
+    }
+    let help = match similar_name(kind.text, kinds()) {
+        Some(similar) => format!("is `{similar}` meant?"),
+        None => all(),
+    };
+    let message = format!("there is no block `{}`", shortened(kind.text));
+    Diagnostic::new(code::UNKNOWN_BLOCK, kind.span, message).label("not a block").help(help)
+}
+
+/// Whether a name can be a program's: it names its module and its files.
+///
+/// # Errors
+/// What is wrong with it.
+pub fn program_name(name: &str) -> Result<(), String> {
+    let upper = name.to_ascii_uppercase();
+    let is_device = matches!(upper.as_str(), "CON" | "PRN" | "AUX" | "NUL")
+        || (upper.len() == 4
+            && (upper.starts_with("COM") || upper.starts_with("LPT"))
+            && upper.ends_with(|c: char| c.is_ascii_digit()));
+    if name.len() > LONGEST_PROGRAM_NAME {
+        return Err(format!("longer than {LONGEST_PROGRAM_NAME} characters"));
+    }
+    if is_device {
+        return Err("a device on some systems".to_owned());
+    }
+    let is_letter = |c: char| c.is_ascii_alphabetic() || c == '_';
+    if !name.starts_with(is_letter) || name.contains(|c| !is_letter(c) && !c.is_ascii_digit()) {
+        return Err("not an identifier".to_owned());
+    }
+    Ok(())
+}

@@ -1,0 +1,281 @@
+//! Expressions: the type of every part, and constants worked out.
+
+use super::names::{Constant, Entity};
+use super::reference::Resolved;
+use super::{Checked, Checker, literal};
+use crate::diagnostic::{Diagnostic, code};
+use crate::model::{BinaryOp, Expr, ExprKind, Relation};
+use crate::source::Span;
+use crate::syntax::ast::{self, BinaryOperator, LiteralKind, Reference, UnaryOperator};
+use crate::types::Type;
+
+fn arithmetic(operator: BinaryOperator) -> Option<BinaryOp> {
+    match operator {
+        BinaryOperator::Add => Some(BinaryOp::Add),
+        BinaryOperator::Subtract => Some(BinaryOp::Subtract),
+        _ => None,
+    }
+}
+
+fn bitwise(operator: BinaryOperator) -> Option<BinaryOp> {
+    match operator {
+        BinaryOperator::And => Some(BinaryOp::And),
+        BinaryOperator::Or => Some(BinaryOp::Or),
+        BinaryOperator::Xor => Some(BinaryOp::Xor),
+        _ => None,
+    }
+}
+
+fn relation(operator: BinaryOperator) -> Option<Relation> {
+    match operator {
+        BinaryOperator::Equal => Some(Relation::Equal),
+        BinaryOperator::NotEqual => Some(Relation::NotEqual),
+        BinaryOperator::Less => Some(Relation::Less),
+        BinaryOperator::LessOrEqual => Some(Relation::LessOrEqual),
+        BinaryOperator::Greater => Some(Relation::Greater),
+        BinaryOperator::GreaterOrEqual => Some(Relation::GreaterOrEqual),
+        _ => None,
+    }
+}
+
+impl<'s> Checker<'s> {
+    /// An expression; an untyped literal in it takes the wanted type, anything else must have it.
+    pub(super) fn expression(&mut self, expr: &ast::Expr<'s>, want: Option<Type>) -> Checked<Expr> {
+        if is_operation(expr) && self.takes_any_type(expr) {
+            return self.number_of_type(expr, want);
+        }
+        let found = match &expr.kind {
+            ast::ExprKind::Literal(literal) => self.literal(*literal, false, want)?,
+            ast::ExprKind::Reference(reference) => self.read(reference, want)?,
+            ast::ExprKind::Unary(operator, operand) => {
+                self.unary(*operator, operand, expr.span, want)?
+            }
+            ast::ExprKind::Binary(operator, a, b) => {
+                self.binary(*operator, a, b, expr.span, want)?
+            }
+            ast::ExprKind::Function(name, _) => {
+                let message = format!("the function `{}` is not supported yet", name.text);
+                let diagnostic = Diagnostic::new(code::NOT_YET, name.span, message)
+                    .label("a function")
+                    .help("use + and -, comparisons, AND, OR, XOR and NOT");
+                return Err(self.report(diagnostic));
+            }
+        };
+        match want {
+            Some(want) if want != found.ty => Err(self.mismatch(expr.span, found.ty, want)),
+            _ => Ok(found),
+        }
+    }
+
+    pub(super) fn mismatch(&mut self, span: Span, found: Type, want: Type) -> super::Reported {
+        let message = format!("{want} is needed here, this is {found}");
+        let diagnostic = Diagnostic::new(code::TYPE_MISMATCH, span, message)
+            .label(format!("a value of type {found}"));
+        let help = match (want, found) {
+            (Type::Bool, _) => "compare it, for instance: { x > 0 }",
+            (Type::Time, _) => {
+                "write a time with its unit, such as 500ms, or a variable of type TIME"
+            }
+            (_, Type::Bool) => "a BOOL is no number: let it be a contact before the braces",
+            (_, Type::Time) => "a time is no number: declare the other one as TIME",
+            _ => "declare both with one type",
+        };
+        self.report(diagnostic.help(help))
+    }
+
+    fn literal(
+        &mut self,
+        literal: ast::Literal<'s>,
+        negative: bool,
+        want: Option<Type>,
+    ) -> Checked<Expr> {
+        if literal.kind == LiteralKind::Time {
+            let ticks = self.signed_ticks(literal, negative)?;
+            return Ok(Expr { ty: Type::Time, kind: ExprKind::Constant(ticks) });
+        }
+        let ty = match (literal.kind, want) {
+            (LiteralKind::Bool, _) => Type::Bool,
+            (_, Some(Type::Time)) => {
+                return Err(self.number_for_a_time(literal));
+            }
+            (_, want) => want.unwrap_or(Type::Dint),
+        };
+        let value = literal::integer(literal).map(|value| if negative { -value } else { value });
+        match value.filter(|&value| ty.holds(value)) {
+            Some(value) => Ok(Expr { ty, kind: ExprKind::Constant(value as i64) }),
+            None => {
+                let (low, high) = ty.range();
+                let message = format!("{ty} holds {low} to {high}");
+                let diagnostic = Diagnostic::new(code::OUT_OF_RANGE, literal.span, message)
+                    .label(format!("does not fit {ty}"))
+                    .help("use a value in that range or a wider type");
+                Err(self.report(diagnostic))
+            }
+        }
+    }
+
+    fn read(&mut self, reference: &Reference<'s>, want: Option<Type>) -> Checked<Expr> {
+        match self.resolve(reference)? {
+            Resolved::Variable(variable) => {
+                Ok(Expr { ty: self.program.variables[variable].ty, kind: ExprKind::Read(variable) })
+            }
+            Resolved::Constant(Constant { ty: None, .. }) if want == Some(Type::Time) => {
+                Err(self.mismatch(reference.span(), Type::Dint, Type::Time))
+            }
+            Resolved::Constant(Constant { ty, value, .. }) => {
+                let ty = ty.or(want).unwrap_or(Type::Dint);
+                if ty.holds(i128::from(value)) {
+                    return Ok(Expr { ty, kind: ExprKind::Constant(value) });
+                }
+                let message = format!("{value} does not fit {ty}");
+                let diagnostic = Diagnostic::new(code::OUT_OF_RANGE, reference.span(), message)
+                    .label("this constant")
+                    .help("use a wider type");
+                Err(self.report(diagnostic))
+            }
+            Resolved::Instance(instance) => Err(self.instance_is_no_value(instance, reference)),
+        }
+    }
+
+    fn unary(
+        &mut self,
+        operator: UnaryOperator,
+        operand: &ast::Expr<'s>,
+        span: Span,
+        want: Option<Type>,
+    ) -> Checked<Expr> {
+        if operator == UnaryOperator::Negate {
+            // The literal -32768 fits INT though 32768 does not.
+            if let ast::ExprKind::Literal(literal) = operand.kind
+                && literal.kind != LiteralKind::Bool
+            {
+                return self.literal(literal, true, want);
+            }
+            let operand = self.expression(operand, want)?;
+            let zero = Expr { ty: operand.ty, kind: ExprKind::Constant(0) };
+            self.numbers_only(operand.ty, span)?;
+            return Ok(combine(BinaryOp::Subtract, zero, operand));
+        }
+        let operand = self.expression(operand, want)?;
+        self.bits_only(operand.ty, span)?;
+        let ty = operand.ty;
+        Ok(match operand.kind {
+            ExprKind::Constant(value) => Expr { ty, kind: ExprKind::Constant(ty.wrap(!value)) },
+            _ => Expr { ty, kind: ExprKind::Not(Box::new(operand)) },
+        })
+    }
+
+    fn binary(
+        &mut self,
+        operator: BinaryOperator,
+        a: &ast::Expr<'s>,
+        b: &ast::Expr<'s>,
+        span: Span,
+        want: Option<Type>,
+    ) -> Checked<Expr> {
+        if let Some(relation) = relation(operator) {
+            let (a, b) = self.operands(a, b, None)?;
+            return Ok(match (&a.kind, &b.kind) {
+                (&ExprKind::Constant(x), &ExprKind::Constant(y)) => {
+                    let kind = ExprKind::Constant(relation.holds(x, y).into());
+                    Expr { ty: Type::Bool, kind }
+                }
+                _ => {
+                    let kind = ExprKind::Compare(relation, Box::new(a), Box::new(b));
+                    Expr { ty: Type::Bool, kind }
+                }
+            });
+        }
+        let Some(op) = arithmetic(operator).or_else(|| bitwise(operator)) else {
+            let diagnostic =
+                Diagnostic::new(code::NOT_YET, span, "*, / and MOD are not supported yet")
+                    .label("a multiplication or division")
+                    .help("use + and -");
+            return Err(self.report(diagnostic));
+        };
+        let (a, b) = self.operands(a, b, want)?;
+        match op {
+            BinaryOp::Add | BinaryOp::Subtract => self.numbers_only(a.ty, span)?,
+            BinaryOp::And | BinaryOp::Or | BinaryOp::Xor => self.bits_only(a.ty, span)?,
+        }
+        Ok(combine(op, a, b))
+    }
+
+    /// Two operands of one type. Both are checked even if one is wrong.
+    fn operands(
+        &mut self,
+        a: &ast::Expr<'s>,
+        b: &ast::Expr<'s>,
+        want: Option<Type>,
+    ) -> Checked<(Expr, Expr)> {
+        if self.takes_any_type(a) && !self.takes_any_type(b) {
+            let right = self.expression(b, want);
+            let left = self.expression(a, right.as_ref().ok().map(|right| right.ty));
+            return Ok((left?, right?));
+        }
+        let left = self.expression(a, want);
+        let right = self.expression(b, left.as_ref().ok().map(|left| left.ty));
+        Ok((left?, right?))
+    }
+
+    /// True for an integer literal, a constant without a type, and an operation on such alone.
+    pub(super) fn takes_any_type(&self, expr: &ast::Expr<'s>) -> bool {
+        match &expr.kind {
+            ast::ExprKind::Literal(literal) => literal.kind == LiteralKind::Integer,
+            ast::ExprKind::Reference(reference) => {
+                let entity = self.names.get(reference.name.text);
+                reference.path.is_empty()
+                    && matches!(entity, Some(Entity::Constant(Constant { ty: None, .. })))
+            }
+            ast::ExprKind::Unary(UnaryOperator::Negate, operand) => self.takes_any_type(operand),
+            ast::ExprKind::Binary(operator, a, b) => {
+                arithmetic(*operator).is_some() && self.takes_any_type(a) && self.takes_any_type(b)
+            }
+            _ => false,
+        }
+    }
+
+    pub(super) fn numbers_only(&mut self, ty: Type, span: Span) -> Checked<()> {
+        if ty.is_number() {
+            return Ok(());
+        }
+        let message = format!("{ty} values cannot be added or subtracted");
+        let diagnostic = Diagnostic::new(code::TYPE_MISMATCH, span, message)
+            .label(format!("of type {ty}"))
+            .help(match ty {
+                Type::Bool => "BOOL values take AND, OR, XOR and NOT",
+                _ => "arithmetic takes INT, UINT, DINT, UDINT and TIME",
+            });
+        Err(self.report(diagnostic))
+    }
+
+    fn bits_only(&mut self, ty: Type, span: Span) -> Checked<()> {
+        if matches!(ty, Type::Bool | Type::Word | Type::Dword) {
+            return Ok(());
+        }
+        let message = format!("{ty} values have no AND, OR, XOR and NOT");
+        let diagnostic = Diagnostic::new(code::TYPE_MISMATCH, span, message)
+            .label(format!("of type {ty}"))
+            .help("these take BOOL, WORD and DWORD");
+        Err(self.report(diagnostic))
+    }
+}
+
+/// An operation, worked out if both operands are constants.
+fn combine(op: BinaryOp, a: Expr, b: Expr) -> Expr {
+    let ty = a.ty;
+    let kind = match (&a.kind, &b.kind) {
+        (&ExprKind::Constant(x), &ExprKind::Constant(y)) => ExprKind::Constant(op.apply(ty, x, y)),
+        _ => ExprKind::Binary(op, Box::new(a), Box::new(b)),
+    };
+    Expr { ty, kind }
+}
+
+/// True for what is worked out from parts; a literal with its sign is one part.
+pub(super) fn is_operation(expr: &ast::Expr<'_>) -> bool {
+    match &expr.kind {
+        ast::ExprKind::Unary(_, operand) => !matches!(operand.kind, ast::ExprKind::Literal(_)),
+        ast::ExprKind::Binary(..) => true,
+        _ => false,
+    }
+}

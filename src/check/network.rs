@@ -1,0 +1,352 @@
+//! Rungs: what stands between the rails.
+
+use super::reference::Resolved;
+use super::{Checked, Checker, Reported};
+use crate::diagnostic::{Diagnostic, code};
+use crate::model::{self, CoilAction, Element, Role, Variable, VariableId};
+use crate::source::Span;
+use crate::syntax::ast::{self, Edge, ElementKind, Reference, Rung, Series};
+use crate::types::Type;
+
+/// Where a network stands, which decides what may stand in it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Place {
+    /// A rung: everything.
+    Rung,
+    /// An argument of a call: no outputs, no blocks.
+    Argument,
+    /// An expectation of a test: only what looks and keeps nothing.
+    Expectation,
+}
+
+impl<'s> Checker<'s> {
+    pub(super) fn rung_network(&mut self, rung: &Rung<'s>) -> model::Series {
+        let word = Span { start: rung.span.start, end: rung.span.start + 4 };
+        let Some(last) = rung.network.elements.last() else {
+            let diagnostic = Diagnostic::new(code::EMPTY_BRANCH, word, "the rung is empty")
+                .label("nothing follows")
+                .help("a rung has contacts and a coil, for instance: start ( motor )");
+            self.report(diagnostic);
+            return Vec::new();
+        };
+        let network = self.series(&rung.network, Place::Rung);
+        if !has_output(&rung.network) {
+            let diagnostic = Diagnostic::new(
+                code::NO_OUTPUT,
+                word,
+                "a rung needs a coil, an assignment or a block",
+            )
+            .label("this rung drives nothing")
+            .help("end it with a coil, for instance: ( lamp )");
+            let diagnostic = match &last.kind {
+                ElementKind::Edge { edge, .. } => {
+                    let (contact, one_shot) = match edge {
+                        Edge::Rise => ("rise", "rising"),
+                        Edge::Fall => ("fall", "falling"),
+                    };
+                    diagnostic.also(last.span, "a contact").help(format!(
+                        "`{contact}(y)` is a contact; for a coil after an edge write \
+                         `{one_shot} (y)` or `({contact} y)`"
+                    ))
+                }
+                _ => diagnostic,
+            };
+            self.report(diagnostic);
+        }
+        network
+    }
+
+    /// A series of elements. What is wrong is reported and left out, so the result counts only if
+    /// nothing was.
+    pub(super) fn series(&mut self, series: &Series<'s>, place: Place) -> model::Series {
+        if series.elements.is_empty() {
+            let diagnostic = Diagnostic::new(code::EMPTY_BRANCH, series.span, "a branch is empty")
+                .label("nothing stands here")
+                .help("write TRUE for a wire, FALSE for an open contact");
+            self.report(diagnostic);
+        }
+        let mut elements = Vec::with_capacity(series.elements.len());
+        for element in &series.elements {
+            elements.extend(self.element(element, place).ok());
+        }
+        elements
+    }
+
+    fn element(&mut self, element: &ast::Element<'s>, place: Place) -> Checked<Element> {
+        self.check_place(element, place)?;
+        Ok(match &element.kind {
+            ElementKind::Constant(value) => Element::Constant(*value),
+            ElementKind::FirstScan { negated } => {
+                let variable = self.first_scan(element.span);
+                Element::Contact { variable, negated: *negated, span: element.span }
+            }
+            ElementKind::Contact { operand, negated } => {
+                self.contact(operand, *negated, element.span)?
+            }
+            ElementKind::Edge { edge, operand } => match self.bool_operand(operand)? {
+                Operand::Variable(variable) => {
+                    let name = format!("{}_before", self.program.variables[variable].name);
+                    let memory = self.edge_memory(name, element.span);
+                    Element::Edge { variable, edge: *edge, memory }
+                }
+                Operand::Constant(_) => {
+                    let message = "a constant has no edge";
+                    let diagnostic = Diagnostic::new(code::NOT_WRITABLE, operand.span(), message)
+                        .label("never changes")
+                        .help("use a variable, or first_scan for the first scan");
+                    return Err(self.report(diagnostic));
+                }
+            },
+            ElementKind::Parallel(branches) => Element::Parallel(
+                branches.iter().map(|branch| self.series(branch, place)).collect(),
+            ),
+            ElementKind::OneShot(edge) => Element::OneShot {
+                edge: *edge,
+                memory: self.edge_memory("power_before".to_owned(), element.span),
+            },
+            ElementKind::Invert => Element::Invert,
+            ElementKind::Compare(expr) => {
+                Element::Compare(self.expression(expr, Some(Type::Bool))?, element.span)
+            }
+            ElementKind::Coil { action, target } => self.coil(*action, target, element.span)?,
+            ElementKind::Assign { target, value } => {
+                self.assignment(target, value, element.span)?
+            }
+            ElementKind::Call(call) => Element::Call(self.call(call)?),
+            ElementKind::Net(_) => {
+                let message = "general networks are not supported yet";
+                let diagnostic = Diagnostic::new(code::NOT_YET, element.span, message)
+                    .label("a network")
+                    .help("write the paths as the branches of a list");
+                return Err(self.report(diagnostic));
+            }
+        })
+    }
+
+    fn check_place(&mut self, element: &ast::Element<'s>, place: Place) -> Checked<()> {
+        let (problem, help) = match (&element.kind, place) {
+            (
+                ElementKind::Coil { .. } | ElementKind::Assign { .. } | ElementKind::Call(_),
+                Place::Argument,
+            ) => (
+                "an argument cannot hold outputs and blocks",
+                "put it into a rung of its own and read its result here",
+            ),
+            (
+                ElementKind::Coil { .. } | ElementKind::Assign { .. } | ElementKind::Call(_),
+                Place::Expectation,
+            ) => (
+                "an expectation cannot hold outputs and blocks",
+                "name the contacts that must conduct, for instance: expect motor !lamp",
+            ),
+            (
+                ElementKind::Edge { .. } | ElementKind::OneShot(_) | ElementKind::Invert,
+                Place::Expectation,
+            ) => (
+                "an expectation looks at one moment only",
+                "use contacts, comparisons and lists of them",
+            ),
+            _ => return Ok(()),
+        };
+        let diagnostic = Diagnostic::new(code::MISPLACED, element.span, problem)
+            .label("cannot stand here")
+            .help(help);
+        Err(self.report(diagnostic))
+    }
+
+    pub(super) fn contact(
+        &mut self,
+        operand: &Reference<'s>,
+        negated: bool,
+        span: Span,
+    ) -> Checked<Element> {
+        Ok(match self.bool_operand(operand)? {
+            Operand::Variable(variable) => Element::Contact { variable, negated, span },
+            Operand::Constant(value) => Element::Constant(value != negated),
+        })
+    }
+
+    fn bool_operand(&mut self, operand: &Reference<'s>) -> Checked<Operand> {
+        match self.resolve(operand)? {
+            Resolved::Variable(variable) => {
+                let ty = self.program.variables[variable].ty;
+                if ty == Type::Bool {
+                    return Ok(Operand::Variable(variable));
+                }
+                Err(self.contact_of_a_number(operand, ty))
+            }
+            Resolved::Constant(constant) => match (constant.ty, constant.value) {
+                (Some(Type::Bool) | None, 0 | 1) => Ok(Operand::Constant(constant.value == 1)),
+                (ty, _) => Err(self.contact_of_a_number(operand, ty.unwrap_or(Type::Dint))),
+            },
+            Resolved::Instance(instance) => Err(self.instance_is_no_value(instance, operand)),
+        }
+    }
+
+    fn contact_of_a_number(&mut self, operand: &Reference<'s>, ty: Type) -> Reported {
+        let name = operand.name.text;
+        let message = format!("a contact looks at a BOOL, `{name}` is {ty}");
+        let diagnostic = Diagnostic::new(code::TYPE_MISMATCH, operand.span(), message)
+            .label(format!("a value of type {ty}"))
+            .help(format!("compare it, for instance: {{ {name} > 0 }}"));
+        self.report(diagnostic)
+    }
+
+    fn coil(
+        &mut self,
+        action: ast::CoilAction,
+        target: &Reference<'s>,
+        span: Span,
+    ) -> Checked<Element> {
+        let variable = match self.resolve(target)? {
+            Resolved::Instance(instance) if action == ast::CoilAction::Reset => {
+                return Ok(Element::ResetInstance(instance));
+            }
+            resolved => self.writable(resolved, target)?,
+        };
+        let Variable { name, ty, .. } = &self.program.variables[variable];
+        if *ty != Type::Bool {
+            let message = format!("a coil writes a BOOL, `{name}` is {ty}");
+            let diagnostic = Diagnostic::new(code::TYPE_MISMATCH, target.span(), message)
+                .label(format!("of type {ty}"))
+                .help(format!("assign to it, for instance: {{ {name} := 1 }}"));
+            return Err(self.report(diagnostic));
+        }
+        let memory = |checker: &mut Self| {
+            let name = format!("{}_power_before", checker.program.variables[variable].name);
+            checker.edge_memory(name, span)
+        };
+        let action = match action {
+            ast::CoilAction::Plain => CoilAction::Plain,
+            ast::CoilAction::Negated => CoilAction::Negated,
+            ast::CoilAction::Set => CoilAction::Set,
+            ast::CoilAction::Reset => CoilAction::Reset,
+            ast::CoilAction::Rise => CoilAction::Edge(Edge::Rise, memory(self)),
+            ast::CoilAction::Fall => CoilAction::Edge(Edge::Fall, memory(self)),
+        };
+        Ok(Element::Coil { target: variable, action, span })
+    }
+
+    fn assignment(
+        &mut self,
+        target: &Reference<'s>,
+        value: &ast::Expr<'s>,
+        span: Span,
+    ) -> Checked<Element> {
+        let resolved = self.resolve(target);
+        let variable = resolved.and_then(|resolved| self.writable(resolved, target));
+        let want = variable.as_ref().ok().map(|&variable| self.program.variables[variable].ty);
+        let value = self.expression(value, want);
+        Ok(Element::Assign { target: variable?, value: value?, span })
+    }
+
+    /// The variable, if a rung may write it.
+    fn writable(&mut self, resolved: Resolved, target: &Reference<'s>) -> Checked<VariableId> {
+        let name = target.name.text;
+        let (problem, label, help) = match resolved {
+            Resolved::Constant(_) => (
+                format!("the constant `{name}` cannot be written"),
+                "a constant",
+                "declare it with var or output".to_owned(),
+            ),
+            Resolved::Instance(instance) => {
+                let block = self.program.instances[instance].block;
+                (
+                    format!("`{name}` is a block ({}), not a variable", block.name),
+                    "a block instance",
+                    format!("to reset it write (R {name})"),
+                )
+            }
+            Resolved::Variable(variable) => {
+                let Variable { role, .. } = self.program.variables[variable];
+                match role {
+                    Role::Output | Role::Local => return Ok(variable),
+                    Role::Member(instance, port) => {
+                        match self.unassignable_member(instance, port) {
+                            None => return Ok(variable),
+                            Some(problem) => problem,
+                        }
+                    }
+                    Role::Input | Role::EdgeMemory | Role::FirstScan => (
+                        format!("the input `{name}` cannot be written"),
+                        "an input",
+                        "declare it with var or output, or write another variable".to_owned(),
+                    ),
+                }
+            }
+        };
+        let diagnostic =
+            Diagnostic::new(code::NOT_WRITABLE, target.span(), problem).label(label).help(help);
+        Err(self.report(diagnostic))
+    }
+
+    /// Why a member cannot be assigned, if it cannot.
+    fn unassignable_member(
+        &self,
+        instance: model::InstanceId,
+        port: usize,
+    ) -> Option<(String, &'static str, String)> {
+        let instance = &self.program.instances[instance];
+        let member = &instance.block.ports[port];
+        let name = format!("{}.{}", instance.name, member.name);
+        if !member.role.is_parameter() {
+            return Some((
+                format!("`{name}` is an output of the block {}", instance.block.name),
+                "written by the block alone",
+                format!("to reset it write (R {})", instance.name),
+            ));
+        }
+        instance.given[port].then(|| {
+            (
+                format!("`{name}` is given in the call"),
+                "given anew in every scan",
+                format!("leave {} out of the call", member.name),
+            )
+        })
+    }
+
+    fn edge_memory(&mut self, name: String, span: Span) -> VariableId {
+        let role = Role::EdgeMemory;
+        self.program.variables.alloc(Variable {
+            name: name.into(),
+            ty: Type::Bool,
+            initial: 0,
+            is_initialised: false,
+            role,
+            address: None,
+            span,
+        })
+    }
+
+    /// The variable behind `first_scan`, made where it is first used.
+    fn first_scan(&mut self, span: Span) -> VariableId {
+        if let Some(first_scan) = self.first_scan {
+            return first_scan;
+        }
+        let first_scan = self.program.variables.alloc(Variable {
+            name: "first_scan".into(),
+            ty: Type::Bool,
+            initial: 1,
+            is_initialised: true,
+            role: Role::FirstScan,
+            address: None,
+            span,
+        });
+        self.first_scan = Some(first_scan);
+        first_scan
+    }
+}
+
+/// What a contact looks at.
+enum Operand {
+    Variable(VariableId),
+    Constant(bool),
+}
+
+fn has_output(series: &Series<'_>) -> bool {
+    series.elements.iter().any(|element| match &element.kind {
+        ElementKind::Coil { .. } | ElementKind::Assign { .. } | ElementKind::Call(_) => true,
+        ElementKind::Parallel(branches) => branches.iter().any(has_output),
+        _ => false,
+    })
+}

@@ -1,0 +1,128 @@
+//! Tests: what they drive, how long they run, what they expect.
+
+use super::network::Place;
+use super::reference::Resolved;
+use super::{Checked, Checker, literal};
+use crate::diagnostic::{Diagnostic, code};
+use crate::model::{Expect, Role, Statement, Test, VariableId};
+use crate::syntax::ast::{self, Literal, Reference, StatementKind};
+use crate::types::Type;
+
+/// Scans of the longest test: at a tick of 1 ms more than a day.
+const MOST_SCANS: u64 = 100_000_000;
+
+impl<'s> Checker<'s> {
+    pub(super) fn test(&mut self, test: &ast::Test<'s>) {
+        let statements = self.statements(&test.statements);
+        let scans = total_scans(&statements);
+        if scans > MOST_SCANS {
+            let message = format!("a test may run {MOST_SCANS} scans at most");
+            let diagnostic = Diagnostic::new(code::TEST_TOO_LONG, test.title.span, message)
+                .label(format!("this one runs {scans}"))
+                .help("shorten its times, or give the program a longer tick");
+            self.report(diagnostic);
+        }
+        let title = test.title.text.to_owned();
+        self.program.tests.push(Test { title, statements, span: test.span });
+    }
+
+    fn statements(&mut self, statements: &[ast::Statement<'s>]) -> Vec<Statement> {
+        let mut checked = Vec::with_capacity(statements.len());
+        for statement in statements {
+            if let Ok(statements) = self.statement(statement) {
+                checked.extend(statements);
+            }
+        }
+        checked
+    }
+
+    fn statement(&mut self, statement: &ast::Statement<'s>) -> Checked<Vec<Statement>> {
+        Ok(vec![match &statement.kind {
+            StatementKind::Drive(reference, value) => {
+                let input = self.input(reference);
+                let ty = input.as_ref().ok().map(|&input| self.program.variables[input].ty);
+                let value = self.constant(value, ty);
+                Statement::Drive(input?, value?.1)
+            }
+            StatementKind::Scan(None) => Statement::Scan(1),
+            StatementKind::Scan(Some(count)) => Statement::Scan(self.count(*count)?),
+            StatementKind::Wait(time) => Statement::Wait(self.ticks(*time)? as u64),
+            StatementKind::Pulse(reference) => return self.pulse(reference),
+            StatementKind::Repeat(count, statements) => {
+                let statements = self.statements(statements);
+                Statement::Repeat(self.count(*count)?, statements)
+            }
+            StatementKind::Reset => Statement::Reset,
+            StatementKind::Expect(network) => {
+                let spans = network.elements.iter().map(|element| element.span).collect();
+                if network.elements.is_empty() {
+                    let message = "the expectation is empty";
+                    let diagnostic = Diagnostic::new(code::EMPTY_BRANCH, network.span, message)
+                        .label("nothing stands here")
+                        .help(
+                            "name the contacts that must conduct, for instance: expect motor !lamp",
+                        );
+                    return Err(self.report(diagnostic));
+                }
+                let network = self.series(network, Place::Expectation);
+                let index = self.expectations;
+                self.expectations += 1;
+                Statement::Expect(Expect { network, index, span: statement.span, spans })
+            }
+        }])
+    }
+
+    fn pulse(&mut self, reference: &Reference<'s>) -> Checked<Vec<Statement>> {
+        let input = self.input(reference)?;
+        if self.program.variables[input].ty != Type::Bool {
+            let message = format!("a pulse drives a BOOL, `{}` is none", reference.name.text);
+            let diagnostic = Diagnostic::new(code::TYPE_MISMATCH, reference.span(), message)
+                .label("not a BOOL")
+                .help("drive it with := and scan");
+            return Err(self.report(diagnostic));
+        }
+        let scan = || Statement::Scan(1);
+        Ok(vec![Statement::Drive(input, 1), scan(), Statement::Drive(input, 0), scan()])
+    }
+
+    fn input(&mut self, reference: &Reference<'s>) -> Checked<VariableId> {
+        if let Resolved::Variable(variable) = self.resolve(reference)?
+            && self.program.variables[variable].role == Role::Input
+        {
+            return Ok(variable);
+        }
+        let message = format!("a test drives inputs, `{}` is none", reference.name.text);
+        let diagnostic = Diagnostic::new(code::NOT_WRITABLE, reference.span(), message)
+            .label("not an input")
+            .help("drive the inputs that lead to it, and expect its value");
+        Err(self.report(diagnostic))
+    }
+
+    fn count(&mut self, literal: Literal<'s>) -> Checked<u64> {
+        let count = literal::integer(literal).and_then(|count| u64::try_from(count).ok());
+        count.ok_or_else(|| {
+            let message = format!("a test may run {MOST_SCANS} scans at most");
+            let diagnostic = Diagnostic::new(code::OUT_OF_RANGE, literal.span, message)
+                .label("more than that")
+                .help("use a smaller number");
+            self.report(diagnostic)
+        })
+    }
+}
+
+/// How many scans the statements run; the largest number where there are more.
+fn total_scans(statements: &[Statement]) -> u64 {
+    statements.iter().fold(0, |total: u64, statement| {
+        total.saturating_add(match statement {
+            Statement::Scan(scans) | Statement::Wait(scans) => *scans,
+            Statement::Repeat(times, statements) => {
+                // Each statement of a round costs something even if it holds no scan.
+                let round = statements.iter().fold(1, |total: u64, statement| {
+                    total.saturating_add(total_scans(std::slice::from_ref(statement)).max(1))
+                });
+                times.saturating_mul((round - 1).max(1))
+            }
+            Statement::Drive(..) | Statement::Reset | Statement::Expect(_) => 0,
+        })
+    })
+}

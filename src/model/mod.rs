@@ -1,0 +1,322 @@
+//! The checked program: names resolved, types known, nothing left that a user could get wrong.
+
+mod expr;
+
+use std::sync::Arc;
+
+use la_arena::{Arena, Idx};
+
+use crate::blocks::Block;
+use crate::source::Span;
+use crate::types::Type;
+
+pub use crate::syntax::ast::Edge;
+pub use expr::{BinaryOp, Expr, ExprKind, Relation};
+
+/// One of a program's variables.
+pub type VariableId = Idx<Variable>;
+/// One of a program's block instances.
+pub type InstanceId = Idx<Instance>;
+
+/// A checked program.
+#[derive(Debug, Default)]
+pub struct Program {
+    /// Letters, digits and underscores: the name of the module and of its files.
+    pub name: String,
+    /// The title of the header.
+    pub title: Option<String>,
+    /// Frequency of the board's clock in Hz.
+    pub clock_hz: u64,
+    /// Length of a tick in nanoseconds.
+    pub tick_ns: u64,
+    /// Everything that holds a value from scan to scan, each element of the state once.
+    pub variables: Arena<Variable>,
+    /// The block instances in text order of their calls.
+    pub instances: Arena<Instance>,
+    /// The rungs in text order.
+    pub rungs: Vec<Rung>,
+    /// The tests in text order.
+    pub tests: Vec<Test>,
+    /// The named constants; wherever one is used, its value stands already.
+    pub constants: Vec<Constant>,
+}
+
+impl Program {
+    /// The variables of one role, in the order of their declaration.
+    pub fn with_role(&self, role: Role) -> impl Iterator<Item = (VariableId, &Variable)> {
+        self.variables.iter().filter(move |(_, variable)| variable.role == role)
+    }
+
+    /// Keeps the tests that are wanted and numbers their expectations anew.
+    pub fn retain_tests(&mut self, is_wanted: impl Fn(&Test) -> bool) {
+        fn number(statements: &mut [Statement], next: &mut usize) {
+            for statement in statements {
+                match statement {
+                    Statement::Expect(expect) => {
+                        expect.index = *next;
+                        *next += 1;
+                    }
+                    Statement::Repeat(_, statements) => number(statements, next),
+                    Statement::Drive(..)
+                    | Statement::Scan(_)
+                    | Statement::Wait(_)
+                    | Statement::Reset => {}
+                }
+            }
+        }
+        self.tests.retain(is_wanted);
+        let mut next = 0;
+        self.tests.iter_mut().for_each(|test| number(&mut test.statements, &mut next));
+    }
+
+    /// The variable that a user names so: a declared name, in back-ticks or not, or
+    /// `instance.MEMBER`.
+    pub fn variable_named(&self, name: &str) -> Option<VariableId> {
+        let plain = name.replace('`', "");
+        let is_meant = |variable: &Variable, member: bool| {
+            *variable.name == *plain
+                && match variable.role {
+                    Role::Member(instance, port) => {
+                        member && self.instances[instance].block.ports[port].role.is_member()
+                    }
+                    Role::Input | Role::Output | Role::Local => !member,
+                    Role::EdgeMemory | Role::FirstScan => false,
+                }
+        };
+        let find = |member| self.variables.iter().find(|(_, v)| is_meant(v, member));
+        // A dot between names tells a member from a name that has a dot in it.
+        let is_member = name.ends_with(|c: char| c != '`') && name.contains('.');
+        let found = if is_member { find(true).or_else(|| find(false)) } else { find(false) };
+        found.map(|(id, _)| id)
+    }
+}
+
+/// Something that holds a value of one scalar type.
+#[derive(Debug)]
+pub struct Variable {
+    /// The user's name; `instance.MEMBER` for a member; a made-up name for the others.
+    pub name: Arc<str>,
+    /// Its type.
+    pub ty: Type,
+    /// Its value at reset, in the type's range.
+    pub initial: i64,
+    /// True if the program says that value.
+    pub is_initialised: bool,
+    /// What it is there for.
+    pub role: Role,
+    /// Its image address in the ladder processor, if the program fixes one.
+    pub address: Option<u16>,
+    /// Where it is declared, or the element that needs it.
+    pub span: Span,
+}
+
+/// A name for a value.
+#[derive(Debug)]
+pub struct Constant {
+    /// The user's name.
+    pub name: String,
+    /// True if something names it.
+    pub is_used: bool,
+    /// Where it is declared.
+    pub span: Span,
+}
+
+/// What a variable is there for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// Sampled at the start of a scan, never written.
+    Input,
+    /// Shown at the end of a scan.
+    Output,
+    /// Kept inside.
+    Local,
+    /// A port of a block instance, by its index in [`Block::ports`].
+    Member(InstanceId, usize),
+    /// What an edge element saw when it looked last.
+    EdgeMemory,
+    /// 1 in the first scan after reset.
+    FirstScan,
+}
+
+impl Role {
+    /// True if a user can name the variable in a program.
+    pub fn is_named(self) -> bool {
+        !matches!(self, Role::EdgeMemory | Role::FirstScan)
+    }
+}
+
+/// A function block that the program calls.
+#[derive(Debug)]
+pub struct Instance {
+    /// The user's name.
+    pub name: String,
+    /// Its kind.
+    pub block: &'static Block,
+    /// One variable for each of the block's ports, in their order.
+    pub members: Vec<VariableId>,
+    /// For each port, whether the call gives it an argument.
+    pub given: Vec<bool>,
+    /// Where it is called.
+    pub span: Span,
+}
+
+/// One rung.
+#[derive(Debug)]
+pub struct Rung {
+    /// The title.
+    pub title: Option<String>,
+    /// What stands between the rails.
+    pub network: Series,
+    /// Its place.
+    pub span: Span,
+    /// The line, from 1, on which it starts.
+    pub line: u32,
+}
+
+/// Elements from left to right; never empty.
+pub type Series = Vec<Element>;
+
+/// One element of a network.
+#[derive(Debug)]
+pub enum Element {
+    /// A wire or an open contact.
+    Constant(bool),
+    /// Conducts while the variable is 1, or, negated, while it is 0.
+    Contact {
+        /// A `BOOL`.
+        variable: VariableId,
+        /// Normally closed.
+        negated: bool,
+        /// Its place.
+        span: Span,
+    },
+    /// Conducts in the scan of a change.
+    Edge {
+        /// A `BOOL`.
+        variable: VariableId,
+        /// Which change.
+        edge: Edge,
+        /// Of role [`Role::EdgeMemory`], this element's alone.
+        memory: VariableId,
+    },
+    /// Branches, upper first; never empty.
+    Parallel(Vec<Series>),
+    /// Power out is 1 in the scan in which the power in changes.
+    OneShot {
+        /// Which change.
+        edge: Edge,
+        /// Of role [`Role::EdgeMemory`], this element's alone.
+        memory: VariableId,
+    },
+    /// Inverts the power.
+    Invert,
+    /// Conducts while a `BOOL` expression holds; with its place.
+    Compare(Expr, Span),
+    /// Writes a `BOOL` from the power and passes the power on.
+    Coil {
+        /// Not an input.
+        target: VariableId,
+        /// What it writes.
+        action: CoilAction,
+        /// Its place.
+        span: Span,
+    },
+    /// Puts a block instance back to its start when powered; passes the power on.
+    ResetInstance(InstanceId),
+    /// Writes when powered; passes the power on.
+    Assign {
+        /// Not an input.
+        target: VariableId,
+        /// Of the target's type.
+        value: Expr,
+        /// Its place.
+        span: Span,
+    },
+    /// Runs a block with the power as its main input; its main output goes on.
+    Call(Call),
+}
+
+/// What a coil writes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CoilAction {
+    /// The power.
+    Plain,
+    /// The inverted power.
+    Negated,
+    /// 1 when powered, else nothing.
+    Set,
+    /// 0 when powered, else nothing.
+    Reset,
+    /// 1 in the scan in which the power changes, else 0.
+    Edge(Edge, VariableId),
+}
+
+/// The call of a block instance.
+#[derive(Debug)]
+pub struct Call {
+    /// Which instance.
+    pub instance: InstanceId,
+    /// In text order; a parameter that is not among them keeps its variable's value.
+    pub arguments: Vec<Argument>,
+}
+
+/// A parameter and what it is given, by the index of the block's port.
+#[derive(Debug)]
+pub struct Argument {
+    /// Index in [`Block::ports`].
+    pub port: usize,
+    /// What it is given.
+    pub value: ArgumentValue,
+    /// Its place, from the parameter's name on.
+    pub span: Span,
+}
+
+/// What a parameter is given.
+#[derive(Debug)]
+pub enum ArgumentValue {
+    /// A network fed with power 1, without outputs and blocks.
+    Network(Series),
+    /// An expression of the parameter's type.
+    Value(Expr),
+}
+
+/// One test.
+#[derive(Debug)]
+pub struct Test {
+    /// Its title.
+    pub title: String,
+    /// Its statements.
+    pub statements: Vec<Statement>,
+    /// Its place.
+    pub span: Span,
+}
+
+/// One statement of a test.
+#[derive(Debug)]
+pub enum Statement {
+    /// Drives an input until it is driven again.
+    Drive(VariableId, i64),
+    /// Runs that many scans without a tick.
+    Scan(u64),
+    /// Runs that many scans with a tick each.
+    Wait(u64),
+    /// The statements, that many times.
+    Repeat(u64, Vec<Statement>),
+    /// Back to reset, inputs to 0.
+    Reset,
+    /// This network must conduct now; only contacts, constants, comparisons and lists.
+    Expect(Expect),
+}
+
+/// An expectation.
+#[derive(Debug)]
+pub struct Expect {
+    /// Must conduct. Elements stand one for one with `spans`.
+    pub network: Series,
+    /// Its number among all expectations of the program, from 0.
+    pub index: usize,
+    /// The place of the statement.
+    pub span: Span,
+    /// The places of the elements of the outermost series.
+    pub spans: Vec<Span>,
+}
