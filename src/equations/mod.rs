@@ -1,0 +1,124 @@
+//! The program as equations: what every coil, assignment and call takes, in the order of the
+//! text. Each read names the write that it sees, so the order of evaluation is in the equations
+//! themselves.
+
+mod lower;
+
+use la_arena::{Arena, Idx};
+
+use crate::model::{BinaryOp, InstanceId, Relation, VariableId};
+use crate::types::Type;
+
+pub use lower::{lower, lower_expectation};
+
+/// An expression of the equations.
+pub type ExprId = Idx<Expr>;
+/// Index of a step in [`Equations::steps`].
+pub type StepId = u32;
+
+/// All equations of a program. Operands stand before their users, and an expression stands behind
+/// the steps that write what it reads.
+#[derive(Debug, Default)]
+pub struct Equations {
+    /// The expressions.
+    pub exprs: Arena<Expr>,
+    /// The steps in text order.
+    pub steps: Vec<Step>,
+    operands: Vec<ExprId>,
+}
+
+/// A typed expression.
+#[derive(Clone, Copy, Debug)]
+pub struct Expr {
+    /// What it computes.
+    pub op: ExprOp,
+    /// The type of its value.
+    pub ty: Type,
+}
+
+/// A run of operands.
+#[derive(Clone, Copy, Debug)]
+pub struct Operands {
+    start: u32,
+    len: u32,
+}
+
+/// What an expression computes.
+#[derive(Clone, Copy, Debug)]
+pub enum ExprOp {
+    /// A value in the range of the type.
+    Constant(i64),
+    /// The value that a step of this scan wrote, or, without one, that the last scan left.
+    Read {
+        /// What is read.
+        variable: VariableId,
+        /// Who wrote it.
+        writer: Option<StepId>,
+    },
+    /// Every bit inverted.
+    Not(ExprId),
+    /// Contacts in series: 1 if all are.
+    All(Operands),
+    /// Branches in parallel: 1 if one is.
+    Any(Operands),
+    /// One value or the other.
+    Select {
+        /// A `BOOL`.
+        power: ExprId,
+        /// The value for 1.
+        on: ExprId,
+        /// The value for 0.
+        off: ExprId,
+    },
+    /// An operation on two values.
+    Binary(BinaryOp, ExprId, ExprId),
+    /// A comparison of two values of one type.
+    Compare(Relation, ExprId, ExprId),
+}
+
+/// Something that changes the program's state.
+#[derive(Debug)]
+pub struct Step {
+    /// What it does.
+    pub kind: StepKind,
+    /// Index of the rung that it stands in.
+    pub rung: u32,
+    /// The number of expressions made before it: what it may use, and what was made since the
+    /// last step reads what was there before it.
+    pub exprs: u32,
+}
+
+/// What a step does.
+#[derive(Debug)]
+pub enum StepKind {
+    /// Writes a variable.
+    Assign {
+        /// Of role output, local, edge memory, first scan, or a block's parameter.
+        target: VariableId,
+        /// Of its type.
+        value: ExprId,
+    },
+    /// Calls a block instance: writes its outputs and the parameters that are given.
+    Call {
+        /// Which one.
+        instance: InstanceId,
+        /// The power that arrives.
+        power: ExprId,
+        /// The given parameters by the index of their port.
+        arguments: Vec<(usize, ExprId)>,
+    },
+    /// Puts the outputs of an instance back to their start where the power is 1.
+    Reset {
+        /// Which one.
+        instance: InstanceId,
+        /// The power that arrives.
+        power: ExprId,
+    },
+}
+
+impl Equations {
+    /// The operands of an `All` or `Any`.
+    pub fn list(&self, operands: Operands) -> &[ExprId] {
+        &self.operands[operands.start as usize..][..operands.len as usize]
+    }
+}

@@ -1,0 +1,173 @@
+//! Walks the rungs from top to bottom, left to right, power in hand. Slow, short, plainly right:
+//! it shares nothing with the circuits that are judged by it.
+
+use crate::blocks::Step;
+use crate::index::index;
+use crate::model::{
+    ArgumentValue, Call, CoilAction, Edge, Element, Expr, Program, Role, VariableId,
+};
+
+/// A program that runs.
+#[derive(Clone, Debug)]
+pub struct Evaluator<'p> {
+    program: &'p Program,
+    values: Vec<i64>,
+    first_scan: Option<VariableId>,
+    tick: bool,
+}
+
+impl<'p> Evaluator<'p> {
+    /// The program at reset, inputs 0.
+    pub fn new(program: &'p Program) -> Self {
+        let first_scan = program.with_role(Role::FirstScan).next().map(|(id, _)| id);
+        let mut evaluator = Evaluator { program, values: Vec::new(), first_scan, tick: false };
+        evaluator.reset();
+        evaluator
+    }
+
+    /// Back to reset, inputs to 0.
+    pub fn reset(&mut self) {
+        self.values = self.program.variables.values().map(|variable| variable.initial).collect();
+    }
+
+    /// The value of a variable after the last scan, or of an input as it is driven.
+    pub fn value(&self, variable: VariableId) -> i64 {
+        self.values[index(variable)]
+    }
+
+    /// Drives an input.
+    pub fn drive(&mut self, input: VariableId, value: i64) {
+        debug_assert_eq!(self.program.variables[input].role, Role::Input);
+        self.set(input, value);
+    }
+
+    /// One scan, with the tick or without.
+    pub fn scan(&mut self, tick: bool) {
+        self.tick = tick;
+        let program = self.program;
+        for rung in &program.rungs {
+            self.series(&rung.network, true);
+        }
+        if let Some(first_scan) = self.first_scan {
+            self.set(first_scan, 0);
+        }
+    }
+
+    /// The power behind a network that is fed with power 1 and holds contacts, comparisons and
+    /// lists only.
+    pub fn conducts(&mut self, network: &[Element]) -> bool {
+        self.series(network, true)
+    }
+
+    fn set(&mut self, variable: VariableId, value: i64) {
+        self.values[index(variable)] = value;
+    }
+
+    fn is_on(&self, variable: VariableId) -> bool {
+        self.value(variable) != 0
+    }
+
+    fn series(&mut self, series: &[Element], power: bool) -> bool {
+        series.iter().fold(power, |power, element| self.element(element, power))
+    }
+
+    fn element(&mut self, element: &Element, power: bool) -> bool {
+        match element {
+            Element::Constant(value) => power && *value,
+            Element::Contact { variable, negated, .. } => {
+                power && self.is_on(*variable) != *negated
+            }
+            Element::Edge { variable, edge, memory } => {
+                let now = self.is_on(*variable);
+                self.edge(now, *edge, *memory) && power
+            }
+            Element::Parallel(branches) => {
+                let mut any = false;
+                for branch in branches {
+                    any |= self.series(branch, power);
+                }
+                any
+            }
+            Element::OneShot { edge, memory } => self.edge(power, *edge, *memory),
+            Element::Invert => !power,
+            Element::Compare(expr, _) => self.expr(expr) != 0 && power,
+            Element::Coil { target, action, .. } => {
+                self.coil(*target, *action, power);
+                power
+            }
+            Element::ResetInstance(instance) => {
+                let instance = &self.program.instances[*instance];
+                for (port, &member) in instance.block.ports.iter().zip(&instance.members) {
+                    if power && port.role.is_cleared() {
+                        self.set(member, self.program.variables[member].initial);
+                    }
+                }
+                power
+            }
+            Element::Assign { target, value, .. } => {
+                let value = self.expr(value);
+                if power {
+                    self.set(*target, value);
+                }
+                power
+            }
+            Element::Call(call) => self.call(call, power),
+        }
+    }
+
+    /// True if `now` has changed since this element saw it last.
+    fn edge(&mut self, now: bool, edge: Edge, memory: VariableId) -> bool {
+        let before = self.is_on(memory);
+        self.set(memory, now.into());
+        match edge {
+            Edge::Rise => now && !before,
+            Edge::Fall => before && !now,
+        }
+    }
+
+    fn coil(&mut self, target: VariableId, action: CoilAction, power: bool) {
+        match action {
+            CoilAction::Plain => self.set(target, power.into()),
+            CoilAction::Negated => self.set(target, (!power).into()),
+            CoilAction::Set if power => self.set(target, 1),
+            CoilAction::Reset if power => self.set(target, 0),
+            CoilAction::Set | CoilAction::Reset => {}
+            CoilAction::Edge(edge, memory) => {
+                let changed = self.edge(power, edge, memory);
+                self.set(target, changed.into());
+            }
+        }
+    }
+
+    fn call(&mut self, call: &Call, power: bool) -> bool {
+        let instance = &self.program.instances[call.instance];
+        // An argument that reads a member of the block sees what the call before left, also where
+        // another argument of this call is about to change it.
+        let mut given = Vec::with_capacity(call.arguments.len());
+        for argument in &call.arguments {
+            given.push(match &argument.value {
+                ArgumentValue::Network(network) => self.series(network, true).into(),
+                ArgumentValue::Value(expr) => self.expr(expr),
+            });
+        }
+        for (argument, value) in call.arguments.iter().zip(given) {
+            self.set(instance.members[argument.port], value);
+        }
+        let mut values: Vec<i64> =
+            instance.members.iter().map(|&member| self.value(member)).collect();
+        let block = instance.block;
+        (block.step)(&mut Step { block, power, tick: self.tick, values: &mut values });
+        for (&member, value) in instance.members.iter().zip(values) {
+            self.set(member, value);
+        }
+        match block.main_port() {
+            Some(port) => self.is_on(instance.members[port]),
+            None => power,
+        }
+    }
+
+    /// The value of an expression.
+    pub fn expr(&self, expr: &Expr) -> i64 {
+        expr.value(&|variable| self.value(variable))
+    }
+}

@@ -1,0 +1,190 @@
+//! The circuit under construction, expression by expression and step by step.
+
+use std::collections::HashMap;
+
+use la_arena::Arena;
+
+use super::{Expansion, Options};
+use crate::blocks::{self, PortRole};
+use crate::circuit::{Circuit, Design, Net, Signal, Version};
+use crate::equations::{Equations, ExprId, ExprOp, Step, StepKind};
+use crate::index::index;
+use crate::model::{BinaryOp, Program, Relation, Role, VariableId};
+
+impl<'p> Expansion<'p> {
+    pub(super) fn new(program: &'p Program, equations: &'p Equations) -> Self {
+        let variables = program.variables.len();
+        let mut last_write = vec![None; variables];
+        for (number, step) in equations.steps.iter().enumerate() {
+            match &step.kind {
+                StepKind::Assign { target, .. } => last_write[index(*target)] = Some(number as u32),
+                StepKind::Call { instance, arguments, .. } => {
+                    for (port, _) in arguments {
+                        let member = program.instances[*instance].members[*port];
+                        last_write[index(member)] = Some(number as u32);
+                    }
+                }
+                StepKind::Reset { .. } => {}
+            }
+        }
+        Expansion {
+            program,
+            equations,
+            circuit: Circuit::default(),
+            modules: Arena::new(),
+            by_block: HashMap::new(),
+            nets: Vec::with_capacity(equations.exprs.len()),
+            now: vec![None; variables],
+            before: vec![None; variables],
+            registers: Vec::new(),
+            instances: program.instances.iter().map(|_| None).collect(),
+            last_write,
+        }
+    }
+
+    pub(super) fn ports(&mut self) {
+        self.circuit.input(blocks::TICK, 1);
+        for (id, variable) in self.program.with_role(Role::Input) {
+            let net = self.circuit.input(variable.name.clone(), variable.ty.width());
+            self.before[index(id)] = Some(net);
+        }
+    }
+
+    pub(super) fn section(&mut self, rung: u32, options: &Options) {
+        let Some(written) = self.program.rungs.get(rung as usize) else { return };
+        let title = written.title.as_ref().map(|title| format!(" \"{title}\"")).unwrap_or_default();
+        let place = format!("{}:{}", options.source, written.line);
+        self.circuit.section(format!("rung {}{title}, {place}", rung + 1), rung + 1);
+    }
+
+    /// The value that the last scan left.
+    pub(super) fn before(&mut self, variable: VariableId) -> Net {
+        if let Some(net) = self.before[index(variable)] {
+            return net;
+        }
+        let declared = &self.program.variables[variable];
+        let width = declared.ty.width();
+        let net = match declared.role {
+            Role::Member(instance, port)
+                if self.program.instances[instance].block.ports[port].role == PortRole::Output =>
+            {
+                let block = self.program.instances[instance].block;
+                self.instance_output(instance, &blocks::last(block.ports[port].name), width)
+            }
+            _ if self.last_write[index(variable)].is_none() => {
+                self.circuit.constant(declared.ty.bits(declared.initial), width)
+            }
+            _ => {
+                let reset = declared.ty.bits(declared.initial);
+                let name = declared.name.clone();
+                let (register, net) = self.circuit.register(name, width, reset);
+                self.registers.push((variable, register));
+                net
+            }
+        };
+        self.before[index(variable)] = Some(net);
+        net
+    }
+
+    pub(super) fn newest(&mut self, variable: VariableId) -> Net {
+        match self.now[index(variable)] {
+            Some(net) => net,
+            None => self.before(variable),
+        }
+    }
+
+    pub(super) fn expr(&mut self, id: ExprId) {
+        let expr = self.equations.exprs[id];
+        let get = |expansion: &Self, expr: ExprId| expansion.nets[index(expr)];
+        let net = match expr.op {
+            ExprOp::Constant(value) => self.circuit.constant(expr.ty.bits(value), expr.ty.width()),
+            ExprOp::Read { variable, .. } => self.newest(variable),
+            ExprOp::Not(operand) => {
+                let operand = get(self, operand);
+                self.circuit.not(operand)
+            }
+            ExprOp::All(operands) | ExprOp::Any(operands) => {
+                let list =
+                    self.equations.list(operands).iter().map(|&operand| self.nets[index(operand)]);
+                match expr.op {
+                    ExprOp::All(_) => self.circuit.and(list),
+                    _ => self.circuit.or(list),
+                }
+            }
+            ExprOp::Select { power, on, off } => {
+                let (power, on, off) = (get(self, power), get(self, on), get(self, off));
+                self.circuit.mux(power, on, off)
+            }
+            ExprOp::Binary(op, a, b) => {
+                let (a, b) = (get(self, a), get(self, b));
+                match op {
+                    BinaryOp::Add => self.circuit.add(a, b),
+                    BinaryOp::Subtract => self.circuit.sub(a, b),
+                    BinaryOp::And => self.circuit.and([a, b]),
+                    BinaryOp::Or => self.circuit.or([a, b]),
+                    BinaryOp::Xor => self.circuit.xor(a, b),
+                }
+            }
+            ExprOp::Compare(relation, a, b) => {
+                let signed = self.equations.exprs[a].ty.is_signed();
+                let (a, b) = (get(self, a), get(self, b));
+                compare(&mut self.circuit, relation, a, b, signed)
+            }
+        };
+        self.nets.push(net);
+    }
+
+    pub(super) fn step(&mut self, number: u32, step: &Step) {
+        match &step.kind {
+            StepKind::Assign { target, value } => {
+                let net = self.nets[index(*value)];
+                self.now[index(*target)] = Some(net);
+                let declared = &self.program.variables[*target];
+                if declared.role.is_named() {
+                    let is_last = self.last_write[index(*target)] == Some(number);
+                    let version =
+                        if is_last { Version::Last } else { Version::Rung(step.rung + 1) };
+                    let section = self.circuit.sections.len() - 1;
+                    let name = declared.name.clone();
+                    self.circuit.signals.push(Signal { net, name, version, section });
+                }
+            }
+            StepKind::Call { instance, power, arguments } => {
+                self.call(*instance, *power, arguments);
+            }
+            StepKind::Reset { instance, power } => self.reset(*instance, *power),
+        }
+    }
+
+    pub(super) fn finish(mut self, observe: &[VariableId]) -> Design {
+        let outputs: Vec<VariableId> =
+            self.program.with_role(Role::Output).map(|(id, _)| id).collect();
+        for &variable in outputs.iter().chain(observe) {
+            let net = self.before(variable);
+            self.circuit.output(self.program.variables[variable].name.clone(), net);
+        }
+        for (variable, register) in std::mem::take(&mut self.registers) {
+            if let Some(next) = self.now[index(variable)] {
+                self.circuit.drive(register, next);
+            }
+        }
+        for called in std::mem::take(&mut self.instances).into_iter().flatten() {
+            self.connect(called);
+        }
+        let mut modules = self.modules;
+        modules.alloc(self.circuit);
+        Design { modules }
+    }
+}
+
+fn compare(circuit: &mut Circuit, relation: Relation, a: Net, b: Net, signed: bool) -> Net {
+    let (holds, inverted) = match relation {
+        Relation::Equal => (circuit.eq(a, b), false),
+        Relation::NotEqual => (circuit.eq(a, b), true),
+        Relation::Less => (circuit.less(a, b, signed), false),
+        Relation::GreaterOrEqual => (circuit.less(a, b, signed), true),
+        Relation::Greater => (circuit.less(b, a, signed), false),
+        Relation::LessOrEqual => (circuit.less(b, a, signed), true),
+    };
+    if inverted { circuit.not(holds) } else { holds }
+}
