@@ -8,6 +8,7 @@ pub mod equations;
 pub mod eval;
 pub mod expand;
 mod index;
+pub mod lint;
 pub mod model;
 pub mod quantity;
 pub mod source;

@@ -1,0 +1,291 @@
+//! Who reads and writes what: built once, looked up by every rule.
+
+use crate::index::index;
+use crate::model::{
+    Argument, ArgumentValue, Call, CoilAction, Element, Expr, ExprKind, InstanceId, Program,
+    Relation, Series, Statement, VariableId,
+};
+use crate::source::Span;
+
+/// A look at a variable.
+#[derive(Clone, Copy)]
+pub(super) struct Read {
+    pub variable: VariableId,
+    /// Number of the rung, from 0.
+    pub rung: u32,
+    pub span: Span,
+}
+
+/// A coil or an assignment.
+#[derive(Clone, Copy)]
+pub(super) struct Write {
+    pub variable: VariableId,
+    pub how: Writing,
+    /// Number of the rung, from 0.
+    pub rung: u32,
+    pub span: Span,
+}
+
+/// How a variable is written.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Writing {
+    /// In every scan, on or off as the power says.
+    Coil,
+    /// On, in scans with power.
+    Set,
+    /// Off, in scans with power.
+    Reset,
+    /// To the value of an expression, in scans with power.
+    Assign,
+}
+
+/// A comparison of two expressions.
+pub(super) struct Comparison<'p> {
+    pub relation: Relation,
+    pub sides: [&'p Expr; 2],
+    pub span: Span,
+}
+
+/// How large a rung is.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Size {
+    /// Contacts, coils, blocks and whatever else is drawn.
+    pub elements: usize,
+    /// Lists inside lists.
+    pub nesting: usize,
+}
+
+/// Everything that rules ask for. All lists are in text order, which is execution order.
+pub(super) struct Index<'p> {
+    pub program: &'p Program,
+    pub reads: Vec<Read>,
+    pub writes: Vec<Write>,
+    pub calls: Vec<&'p Call>,
+    pub comparisons: Vec<Comparison<'p>>,
+    /// For each rung.
+    pub sizes: Vec<Size>,
+    /// For each variable, the number of its reads in rungs.
+    read_counts: Vec<u32>,
+    /// For each rung and one more, where its reads and its writes start.
+    rungs: Vec<(usize, usize)>,
+    /// For each variable, whether a test looks at it.
+    read_by_tests: Vec<bool>,
+    /// The writes again, those of one variable next to each other.
+    writes_by_variable: Vec<Write>,
+    /// For each variable and one more, where its writes start in `writes_by_variable`.
+    starts: Vec<u32>,
+    /// For each instance, whether there is an `(R name)`.
+    reset: Vec<bool>,
+    /// For each instance, its call.
+    call_of: Vec<Option<&'p Call>>,
+}
+
+impl<'p> Index<'p> {
+    pub fn new(program: &'p Program) -> Self {
+        let mut walk = Walk::new(program);
+        let mut sizes = Vec::with_capacity(program.rungs.len());
+        let mut rungs = vec![(0, 0)];
+        for (number, rung) in program.rungs.iter().enumerate() {
+            walk.rung = number as u32;
+            walk.size = Size::default();
+            walk.series(&rung.network, 0);
+            sizes.push(walk.size);
+            rungs.push((walk.reads.len(), walk.writes.len()));
+        }
+        let mut tests = Walk::new(program);
+        program.tests.iter().for_each(|test| tests.statements(&test.statements));
+        let mut read_by_tests = vec![false; program.variables.len()];
+        tests.reads.iter().for_each(|read| read_by_tests[index(read.variable)] = true);
+        let mut read_counts = vec![0; program.variables.len()];
+        walk.reads.iter().for_each(|read| read_counts[index(read.variable)] += 1);
+        let Walk { reads, writes, calls, comparisons, reset, .. } = walk;
+        let mut call_of = vec![None; program.instances.len()];
+        calls.iter().for_each(|&call| call_of[index(call.instance)] = Some(call));
+        let mut writes_by_variable = writes.clone();
+        // The sort is stable, so the writes of a variable stay in text order.
+        writes_by_variable.sort_by_key(|write| index(write.variable));
+        let mut starts = vec![0; program.variables.len() + 1];
+        writes.iter().for_each(|write| starts[index(write.variable) + 1] += 1);
+        for variable in 1..starts.len() {
+            starts[variable] += starts[variable - 1];
+        }
+        Index {
+            program,
+            reads,
+            writes,
+            calls,
+            comparisons,
+            sizes,
+            read_counts,
+            rungs,
+            read_by_tests,
+            writes_by_variable,
+            starts,
+            reset,
+            call_of,
+        }
+    }
+
+    /// The name of a variable as a user writes it.
+    pub fn name(&self, variable: VariableId) -> &'p str {
+        &self.program.variables[variable].name
+    }
+
+    /// True if a rung looks at the variable.
+    pub fn is_read(&self, variable: VariableId) -> bool {
+        self.read_counts[index(variable)] > 0
+    }
+
+    /// True if a test looks at the variable.
+    pub fn is_read_by_tests(&self, variable: VariableId) -> bool {
+        self.read_by_tests[index(variable)]
+    }
+
+    /// The reads in a rung.
+    pub fn reads_in(&self, rung: u32) -> &[Read] {
+        let rung = rung as usize;
+        &self.reads[self.rungs[rung].0..self.rungs[rung + 1].0]
+    }
+
+    /// The writes in a rung.
+    pub fn writes_in(&self, rung: u32) -> &[Write] {
+        let rung = rung as usize;
+        &self.writes[self.rungs[rung].1..self.rungs[rung + 1].1]
+    }
+
+    /// The writes of a variable in text order.
+    pub fn writes_of(&self, variable: VariableId) -> &[Write] {
+        let range =
+            self.starts[index(variable)] as usize..self.starts[index(variable) + 1] as usize;
+        &self.writes_by_variable[range]
+    }
+
+    /// The writes of each variable that has any.
+    pub fn written(&self) -> impl Iterator<Item = &[Write]> {
+        self.writes_by_variable.chunk_by(|a, b| a.variable == b.variable)
+    }
+
+    /// What the call of an instance gives to a parameter.
+    pub fn argument(&self, instance: InstanceId, port: usize) -> Option<&'p Argument> {
+        self.call_of[index(instance)]?.arguments.iter().find(|argument| argument.port == port)
+    }
+
+    /// True if a coil resets the instance.
+    pub fn is_reset(&self, instance: InstanceId) -> bool {
+        self.reset[index(instance)]
+    }
+}
+
+/// Walks over networks and notes what it meets. Nesting is bounded by the parser.
+struct Walk<'p> {
+    program: &'p Program,
+    rung: u32,
+    size: Size,
+    reads: Vec<Read>,
+    writes: Vec<Write>,
+    calls: Vec<&'p Call>,
+    comparisons: Vec<Comparison<'p>>,
+    reset: Vec<bool>,
+}
+
+impl<'p> Walk<'p> {
+    fn new(program: &'p Program) -> Self {
+        Walk {
+            program,
+            rung: 0,
+            size: Size::default(),
+            reads: Vec::new(),
+            writes: Vec::new(),
+            calls: Vec::new(),
+            comparisons: Vec::new(),
+            reset: vec![false; program.instances.len()],
+        }
+    }
+
+    fn statements(&mut self, statements: &'p [Statement]) {
+        for statement in statements {
+            match statement {
+                Statement::Repeat(_, statements) => self.statements(statements),
+                Statement::Expect(expect) => self.series(&expect.network, 0),
+                Statement::Drive(..)
+                | Statement::Scan(_)
+                | Statement::Wait(_)
+                | Statement::Reset => {}
+            }
+        }
+    }
+
+    fn series(&mut self, series: &'p Series, nesting: usize) {
+        self.size.nesting = self.size.nesting.max(nesting);
+        series.iter().for_each(|element| self.element(element, nesting));
+    }
+
+    fn element(&mut self, element: &'p Element, nesting: usize) {
+        self.size.elements += 1;
+        match element {
+            Element::Constant(_) | Element::OneShot { .. } | Element::Invert => {}
+            Element::Contact { variable, span, .. } => self.read(*variable, *span),
+            Element::Edge { variable, memory, .. } => {
+                self.read(*variable, self.program.variables[*memory].span);
+            }
+            Element::Parallel(branches) => {
+                // The list itself is no element: its branches are.
+                self.size.elements -= 1;
+                branches.iter().for_each(|branch| self.series(branch, nesting + 1));
+            }
+            Element::Compare(expr, span) => self.expr(expr, *span),
+            Element::Coil { target, action, span } => {
+                let how = match action {
+                    CoilAction::Plain | CoilAction::Negated | CoilAction::Edge(..) => Writing::Coil,
+                    CoilAction::Set => Writing::Set,
+                    CoilAction::Reset => Writing::Reset,
+                };
+                self.write(*target, how, *span);
+            }
+            Element::ResetInstance(instance) => {
+                self.reset[index(*instance)] = true;
+            }
+            Element::Assign { target, value, span } => {
+                self.expr(value, *span);
+                self.write(*target, Writing::Assign, *span);
+            }
+            Element::Call(call) => self.call(call),
+        }
+    }
+
+    fn call(&mut self, call: &'p Call) {
+        self.calls.push(call);
+        for argument in &call.arguments {
+            match &argument.value {
+                // A network in an argument is drawn beside the rung: it starts anew.
+                ArgumentValue::Network(network) => self.series(network, 0),
+                ArgumentValue::Value(expr) => self.expr(expr, argument.span),
+            }
+        }
+    }
+
+    fn expr(&mut self, expr: &'p Expr, span: Span) {
+        match &expr.kind {
+            ExprKind::Constant(_) => {}
+            ExprKind::Read(variable) => self.read(*variable, span),
+            ExprKind::Not(operand) => self.expr(operand, span),
+            ExprKind::Binary(_, a, b) => {
+                self.expr(a, span);
+                self.expr(b, span);
+            }
+            ExprKind::Compare(relation, a, b) => {
+                self.comparisons.push(Comparison { relation: *relation, sides: [a, b], span });
+                self.expr(a, span);
+                self.expr(b, span);
+            }
+        }
+    }
+
+    fn read(&mut self, variable: VariableId, span: Span) {
+        self.reads.push(Read { variable, rung: self.rung, span });
+    }
+
+    fn write(&mut self, variable: VariableId, how: Writing, span: Span) {
+        self.writes.push(Write { variable, how, rung: self.rung, span });
+    }
+}

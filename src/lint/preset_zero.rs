@@ -1,0 +1,38 @@
+//! A timer that does not wait, a counter that does not count.
+
+use super::index::Index;
+use crate::blocks::PortRole;
+use crate::diagnostic::{Diagnostic, code};
+use crate::model::{ArgumentValue, ExprKind};
+
+/// What the standards call the value at which a block has done its work.
+const PRESETS: &[&str] = &["PT", "PV", "PRE"];
+
+pub(super) fn check(index: &Index, found: &mut Vec<Diagnostic>) {
+    for call in &index.calls {
+        let instance = &index.program.instances[call.instance];
+        for (number, port) in instance.block.ports.iter().enumerate() {
+            let is_preset = matches!(port.role, PortRole::Preset { .. });
+            if !is_preset || !PRESETS.contains(&port.name) {
+                continue;
+            }
+            let argument = index.argument(call.instance, number);
+            let is_assigned = !index.writes_of(instance.members[number]).is_empty();
+            let (span, label) = match argument.map(|argument| (&argument.value, argument.span)) {
+                Some((ArgumentValue::Value(expr), span))
+                    if matches!(expr.kind, ExprKind::Constant(0)) =>
+                {
+                    (span, "nothing to wait for")
+                }
+                None if !is_assigned => (instance.span, "never given and never assigned"),
+                _ => continue,
+            };
+            let message = format!("the preset {} of `{}` is 0", port.name, instance.name);
+            found.push(
+                Diagnostic::new(code::PRESET_ZERO, span, message)
+                    .label(label)
+                    .help(format!("give {} a value, or remove the block", port.name)),
+            );
+        }
+    }
+}

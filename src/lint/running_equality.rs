@@ -1,0 +1,58 @@
+//! `=` or `<>` on the elapsed time of a timer.
+
+use super::index::{Comparison, Index};
+use crate::blocks::PortRole;
+use crate::diagnostic::{Diagnostic, code};
+use crate::model::{ArgumentValue, Expr, ExprKind, InstanceId, Relation, Role};
+use crate::types::Type;
+
+pub(super) fn check(index: &Index, found: &mut Vec<Diagnostic>) {
+    for comparison in &index.comparisons {
+        let Comparison { relation: Relation::Equal | Relation::NotEqual, sides, span } = comparison
+        else {
+            continue;
+        };
+        let [a, b] = sides;
+        let running = elapsed_time(index, a)
+            .map(|instance| (instance, b))
+            .or_else(|| elapsed_time(index, b).map(|instance| (instance, a)));
+        let Some((instance, other)) = running else { continue };
+        if stands_still_at(index, instance, other) {
+            continue;
+        }
+        let name = &index.program.instances[instance].name;
+        let message = format!("`{name}.ET` is compared for equality while it runs");
+        found.push(
+            Diagnostic::new(code::RUNNING_EQUALITY, *span, message)
+                .label("holds for one tick, with all the scans in it")
+                .help("compare with >= or <, or give the timer this time and read its Q"),
+        );
+    }
+}
+
+/// The timer whose elapsed time this is.
+fn elapsed_time(index: &Index, expr: &Expr) -> Option<InstanceId> {
+    let ExprKind::Read(variable) = expr.kind else { return None };
+    let Role::Member(instance, port) = index.program.variables[variable].role else { return None };
+    let port = &index.program.instances[instance].block.ports[port];
+    (port.ty == Type::Time && port.role == PortRole::Output).then_some(instance)
+}
+
+/// True if the elapsed time rests at that value: at 0 before it runs, at the preset after.
+fn stands_still_at(index: &Index, id: InstanceId, value: &Expr) -> bool {
+    let timer = &index.program.instances[id];
+    let preset = timer.block.port_named("PT");
+    match value.kind {
+        ExprKind::Constant(0) => true,
+        ExprKind::Constant(value) => {
+            let given = preset.and_then(|port| index.argument(id, port));
+            matches!(
+                given.map(|argument| &argument.value),
+                Some(ArgumentValue::Value(Expr { kind: ExprKind::Constant(given), .. }))
+                    if *given == value
+            )
+        }
+        ExprKind::Read(variable) => preset.is_some_and(|port| timer.members[port] == variable),
+        _ => false,
+    }
+}
