@@ -1,0 +1,116 @@
+//! The statements of the tests, one line of the testbench's process after the other.
+
+use std::collections::HashMap;
+
+use crate::backend::hdl::comment::Harmless;
+use crate::eval::variables_of;
+use crate::model::{Expect, Program, Statement, VariableId};
+use crate::source::Source;
+
+/// A line of the test process.
+pub struct Line {
+    /// White space that shows how deep it stands in repetitions.
+    pub indent: String,
+    /// What it does.
+    pub kind: LineKind,
+}
+
+/// What a line does.
+pub enum LineKind {
+    /// The test of this title starts, from reset.
+    Start(String),
+    /// The test of this number, from 1, and title is over.
+    End(usize, String),
+    /// Drives an input of a width with bits.
+    Drive(String, u32, u64),
+    /// Runs scans, with a tick each (`'1'`) or without.
+    Scan(u64, char),
+    /// Starts a repetition.
+    Repeat(u64),
+    /// Ends a repetition.
+    EndRepeat,
+    /// Back to reset.
+    Reset,
+    /// Checks the expectation of a number at a place, and shows these signals if it fails.
+    Expect(usize, String, Vec<String>),
+}
+
+/// The lines of all tests.
+pub fn lines(
+    program: &Program,
+    source: &Source,
+    signals: &HashMap<VariableId, String>,
+) -> Vec<Line> {
+    let mut printer = Printer { program, source, signals, lines: Vec::new(), depth: 0 };
+    for (index, test) in program.tests.iter().enumerate() {
+        // What follows a `#` would be an order to whoever reads the report.
+        let title = plain(&test.title).replace('#', "\\#");
+        printer.line(LineKind::Start(title.clone()));
+        printer.line(LineKind::Reset);
+        printer.statements(&test.statements);
+        printer.line(LineKind::End(index + 1, title));
+    }
+    printer.lines
+}
+
+struct Printer<'a> {
+    program: &'a Program,
+    source: &'a Source,
+    signals: &'a HashMap<VariableId, String>,
+    lines: Vec<Line>,
+    depth: usize,
+}
+
+impl Printer<'_> {
+    fn line(&mut self, kind: LineKind) {
+        self.lines.push(Line { indent: "  ".repeat(self.depth), kind });
+    }
+
+    fn statements(&mut self, statements: &[Statement]) {
+        for statement in statements {
+            match statement {
+                Statement::Drive(input, value) => {
+                    let ty = self.program.variables[*input].ty;
+                    let signal = self.signals[input].clone();
+                    self.line(LineKind::Drive(signal, ty.width(), ty.bits(*value)));
+                }
+                Statement::Scan(scans) => self.line(LineKind::Scan(*scans, '0')),
+                Statement::Wait(ticks) => self.line(LineKind::Scan(*ticks, '1')),
+                Statement::Repeat(times, statements) => {
+                    self.line(LineKind::Repeat(*times));
+                    self.depth += 1;
+                    self.statements(statements);
+                    self.depth -= 1;
+                    self.line(LineKind::EndRepeat);
+                }
+                Statement::Reset => self.line(LineKind::Reset),
+                Statement::Expect(expect) => self.expect(expect),
+            }
+        }
+    }
+
+    fn expect(&mut self, expect: &Expect) {
+        let line = self.source.line(expect.span.start);
+        let place = format!("{}:{line}", plain(self.source.file_name()));
+        let values = variables_of(&expect.network)
+            .iter()
+            .map(|variable| self.signals[variable].clone())
+            .collect();
+        self.line(LineKind::Expect(expect.index, place, values));
+    }
+}
+
+/// A text that means the same in a string of either language.
+fn plain(text: &str) -> String {
+    Harmless::ascii(text).to_string().replace('\\', "/").replace('"', "'")
+}
+
+/// A text of [`LineKind`] in a string of Verilog, where a backslash stands for itself if doubled.
+pub fn verilog_string(text: &str) -> String {
+    text.replace('\\', r"\\")
+}
+
+/// The lowest bits of a number, highest first.
+pub fn binary(bits: &u64, width: &u32) -> String {
+    format!("{bits:0width$b}", width = *width as usize)
+}

@@ -1,0 +1,335 @@
+//! The wrapper between a program and the pins of a board.
+//!
+//! The reset comes in at any time and is released in step with the clock. Every input bit goes
+//! through two flip-flops; a `BOOL` may be debounced. A prescaler makes the tick from the clock.
+
+use std::collections::HashSet;
+use std::fmt;
+
+use askama::Template;
+
+use super::names::{CLOCK, NameId, Namer, Names, TICK};
+use super::prescaler::{Prescaler, Quantity};
+use super::{Header, Language, Options, PortNames, header, verilog, vhdl};
+use crate::circuit::Design;
+
+/// What the wrapper has to know of the board.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Board {
+    /// The clock's frequency.
+    pub clock_hz: u64,
+    /// The time from tick to tick.
+    pub tick_ns: u64,
+    /// The number of ticks that a `BOOL` input must keep a new value before the program sees it.
+    pub debounce_ticks: Option<u32>,
+}
+
+/// An input pin and the way to the program.
+struct Pin<'a> {
+    port: &'a str,
+    width: u32,
+    meta: &'a str,
+    sync: &'a str,
+    debounce: Option<Debounce<'a>>,
+}
+
+#[derive(Clone, Copy)]
+struct Debounce<'a> {
+    stable: &'a str,
+    /// Counts the ticks but the last.
+    count: &'a str,
+}
+
+impl Pin<'_> {
+    /// What the program sees.
+    fn seen(&self) -> &str {
+        self.debounce.as_ref().map_or(self.sync, |debounce| debounce.stable)
+    }
+
+    fn verilog_range(&self) -> verilog::Range {
+        verilog::Range(self.width)
+    }
+
+    fn verilog_zero(&self) -> verilog::Number {
+        verilog::Number::new(0, self.width)
+    }
+
+    fn vhdl_type(&self) -> vhdl::Type {
+        vhdl::Type::Port(self.width)
+    }
+
+    fn vhdl_zero(&self) -> &'static str {
+        if self.width == 1 { "'0'" } else { "(others => '0')" }
+    }
+}
+
+/// An output pin.
+struct Lamp<'a> {
+    port: &'a str,
+    width: u32,
+}
+
+impl Lamp<'_> {
+    fn verilog_range(&self) -> verilog::Range {
+        verilog::Range(self.width)
+    }
+
+    fn vhdl_type(&self) -> vhdl::Type {
+        vhdl::Type::Port(self.width)
+    }
+}
+
+/// A counter from 0 to `last`.
+#[derive(Clone, Copy)]
+struct Counter {
+    last: u64,
+    width: u32,
+}
+
+impl Counter {
+    /// Counts that many steps, 2 or more.
+    fn of(steps: u64) -> Self {
+        let last = steps - 1;
+        Counter { last, width: 64 - last.leading_zeros() }
+    }
+
+    fn verilog_range(&self) -> verilog::Range {
+        verilog::Range(self.width)
+    }
+
+    fn verilog(&self, value: u64) -> String {
+        format!("{}'d{value}", self.width)
+    }
+
+    fn verilog_zero(&self) -> String {
+        self.verilog(0)
+    }
+
+    fn verilog_one(&self) -> String {
+        self.verilog(1)
+    }
+
+    fn verilog_last(&self) -> String {
+        self.verilog(self.last)
+    }
+
+    fn vhdl_high(&self) -> u32 {
+        self.width - 1
+    }
+
+    fn vhdl_last(&self) -> String {
+        match i32::try_from(self.last) {
+            Ok(last) => last.to_string(),
+            Err(_) => vhdl::Number { bits: self.last, width: self.width }.to_string(),
+        }
+    }
+}
+
+/// What both templates show.
+struct View<'a> {
+    header: Header<'a>,
+    ports: &'a PortNames,
+    names: &'a Names,
+    fixed: Fixed,
+    pins: Vec<Pin<'a>>,
+    lamps: Vec<Lamp<'a>>,
+    has_tick: bool,
+    options: &'a Options,
+    board: &'a Board,
+    prescaler: Prescaler,
+    counter: Option<Counter>,
+    debounce: Option<Counter>,
+}
+
+/// The names that every wrapper has inside.
+#[derive(Clone, Copy)]
+struct Fixed {
+    tick: NameId,
+    reset_pipe: NameId,
+    core_reset: NameId,
+    prescaler: NameId,
+    core: NameId,
+}
+
+#[derive(Template)]
+#[template(path = "wrapper.v", escape = "none")]
+struct Verilog<'a> {
+    view: View<'a>,
+}
+
+#[derive(Template)]
+#[template(path = "wrapper.vhd", escape = "none")]
+struct Vhdl<'a> {
+    view: View<'a>,
+}
+
+/// The wrapper's text.
+pub fn print(design: &Design, language: Language, options: &Options, board: &Board) -> String {
+    let ports = PortNames::new(design, options.reset);
+    let circuit = design.top();
+    let has_tick = circuit.inputs.first().is_some_and(|input| &*input.name == TICK);
+    let widths = circuit.inputs.iter().map(|input| input.width);
+    let inputs: Vec<(&str, u32)> =
+        ports.inputs.iter().map(String::as_str).zip(widths).skip(has_tick.into()).collect();
+    let outer = HashSet::from([ports.module.to_ascii_lowercase()]);
+    let (names, fixed, ids) = choose_names(&ports, &inputs, &outer);
+    let debounce_ticks = board.debounce_ticks.filter(|&ticks| ticks > 0);
+    let pins = inputs
+        .iter()
+        .zip(ids)
+        .map(|(&(port, width), [meta, sync, stable, count])| Pin {
+            port,
+            width,
+            meta: names.get(meta),
+            sync: names.get(sync),
+            debounce: debounce_ticks
+                .filter(|_| width == 1)
+                .map(|_| Debounce { stable: names.get(stable), count: names.get(count) }),
+        })
+        .collect();
+    let shown = circuit.outputs.iter().map(|output| circuit.width(output.net));
+    let lamps = ports.outputs.iter().zip(shown).map(|(port, width)| Lamp { port, width }).collect();
+    let prescaler = Prescaler::new(board.clock_hz, board.tick_ns);
+    let view = View {
+        header: header(options),
+        ports: &ports,
+        names: &names,
+        fixed,
+        pins,
+        lamps,
+        has_tick,
+        options,
+        board,
+        prescaler,
+        counter: (prescaler.clocks > 1).then(|| Counter::of(prescaler.clocks)),
+        // The first tick may come right after the change: one more makes the time full.
+        debounce: debounce_ticks.map(|ticks| Counter::of(u64::from(ticks) + 1)),
+    };
+    let text = match language {
+        Language::Verilog => Verilog { view }.render(),
+        Language::Vhdl => Vhdl { view }.render(),
+    };
+    text.expect("writing to a string does not fail")
+}
+
+/// The pins have the program's names; what is inside yields.
+fn choose_names(
+    ports: &PortNames,
+    inputs: &[(&str, u32)],
+    outer: &HashSet<String>,
+) -> (Names, Fixed, Vec<[NameId; 4]>) {
+    let mut namer = Namer::new(outer);
+    namer.fix(CLOCK);
+    namer.fix(ports.reset);
+    let tick = namer.fix(TICK);
+    namer.fix("async_reg");
+    for (port, _) in inputs {
+        namer.take(port, "");
+    }
+    for port in &ports.outputs {
+        namer.take(port, "");
+    }
+    let fixed = Fixed {
+        tick,
+        reset_pipe: namer.take("reset_pipe", ""),
+        core_reset: namer.take(format_args!("core_{}", ports.reset), ""),
+        prescaler: namer.take("prescaler", ""),
+        core: namer.take("core", ""),
+    };
+    let ids = inputs
+        .iter()
+        .map(|(port, _)| ["_meta", "_sync", "_stable", "_count"].map(|end| namer.take(port, end)))
+        .collect();
+    (namer.finish(), fixed, ids)
+}
+
+impl View<'_> {
+    fn tick(&self) -> &str {
+        self.names.get(self.fixed.tick)
+    }
+
+    fn reset_pipe(&self) -> &str {
+        self.names.get(self.fixed.reset_pipe)
+    }
+
+    fn core_reset(&self) -> &str {
+        self.names.get(self.fixed.core_reset)
+    }
+
+    fn prescaler_name(&self) -> &str {
+        self.names.get(self.fixed.prescaler)
+    }
+
+    fn core(&self) -> &str {
+        self.names.get(self.fixed.core)
+    }
+
+    fn is_low(&self) -> bool {
+        self.options.reset.is_low()
+    }
+
+    fn is_async(&self) -> bool {
+        self.options.reset.is_async()
+    }
+
+    fn clock(&self) -> Quantity<'_> {
+        Quantity { value: self.board.clock_hz, units: ["Hz", "kHz", "MHz", "GHz"] }
+    }
+
+    fn period(&self) -> Quantity<'_> {
+        Quantity { value: self.board.tick_ns, units: ["ns", "us", "ms", "s"] }
+    }
+
+    fn has_words(&self) -> bool {
+        self.pins.iter().any(|pin| pin.width > 1)
+    }
+
+    /// What a Verilog register in reset waits for.
+    fn verilog_edges(&self) -> String {
+        let more = if self.is_async() {
+            format!(" or negedge {}", self.core_reset())
+        } else {
+            String::new()
+        };
+        format!("posedge clk{more}")
+    }
+
+    fn verilog_is_reset(&self) -> String {
+        format!("{}{}", if self.is_low() { "!" } else { "" }, self.core_reset())
+    }
+
+    fn vhdl_sensitivity(&self) -> String {
+        if self.is_async() { format!("clk, {}", self.core_reset()) } else { "clk".to_owned() }
+    }
+
+    /// How long a debounced input must keep its value.
+    fn hold(&self) -> String {
+        match self.board.debounce_ticks {
+            Some(1) | None => "one tick".to_owned(),
+            Some(ticks) => format!("{ticks} ticks"),
+        }
+    }
+
+    fn vhdl_is_reset(&self) -> String {
+        format!("{} = '{}'", self.core_reset(), if self.is_low() { 0 } else { 1 })
+    }
+
+    /// Columns of the longest range of a port.
+    fn range_columns(&self) -> usize {
+        let pins = self.pins.iter().map(|pin| pin.verilog_range());
+        let lamps = self.lamps.iter().map(|lamp| lamp.verilog_range());
+        pins.chain(lamps).map(|range| range.to_string().len()).max().unwrap_or(0)
+    }
+
+    /// Columns of the longest name of a port.
+    fn name_columns(&self) -> usize {
+        let pins = self.pins.iter().map(|pin| pin.port.len());
+        let lamps = self.lamps.iter().map(|lamp| lamp.port.len());
+        pins.chain(lamps).max().unwrap_or(0).max(self.ports.reset.len())
+    }
+
+    /// A text followed by spaces up to a number of columns.
+    fn pad(&self, text: impl fmt::Display, columns: &usize) -> String {
+        format!("{:<columns$}", text.to_string())
+    }
+}

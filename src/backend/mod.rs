@@ -1,0 +1,177 @@
+//! From a checked program and its circuit to files.
+
+pub mod hdl;
+
+use std::fmt;
+
+use crate::circuit::{Design, Valid};
+use crate::expand;
+use crate::model::{Program, Role, VariableId};
+use crate::quantity;
+use crate::source::Source;
+use hdl::testbench::{self, Shown};
+use hdl::{Board, Language, ResetStyle};
+
+/// One file, not yet written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Artifact {
+    /// Its name, without folders.
+    pub file_name: String,
+    /// What stands in it.
+    pub text: String,
+}
+
+/// What can be made of a program. A testbench and a wrapper are made in each language that is
+/// asked for beside them, or in Verilog.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Emit {
+    /// The program as a Verilog-2005 module: `NAME.v`.
+    Verilog,
+    /// The program as a VHDL-93 entity: `NAME.vhd`.
+    Vhdl,
+    /// Its tests, self-checking: `NAME_tb.v`, `NAME_tb.vhd`.
+    Testbench,
+    /// A top around it for a board: `NAME_top.v`, `NAME_top.vhd`.
+    Wrapper,
+}
+
+/// How a program is built.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// What resets the registers.
+    pub reset: ResetStyle,
+    /// Names of variables and members to show at ports of their own.
+    pub observe: Vec<String>,
+    /// Frequency of the board's clock in Hz, instead of the program's own.
+    pub clock_hz: Option<u64>,
+    /// How many nanoseconds an input must keep its value before the wrapper lets it pass.
+    pub debounce_ns: Option<u64>,
+}
+
+/// An option that does not fit the program.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BadOption(pub String);
+
+impl fmt::Display for BadOption {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for BadOption {}
+
+/// A program with all that its back ends need.
+pub struct Unit<'a> {
+    program: &'a Program,
+    source: &'a Source,
+    design: Valid<Design>,
+    observed: Vec<VariableId>,
+    print: hdl::Options,
+    board: Board,
+}
+
+impl<'a> Unit<'a> {
+    /// Compiles a program that was checked.
+    ///
+    /// # Errors
+    /// If an option names what the program does not have, or does not fit its tick.
+    pub fn new(
+        program: &'a Program,
+        source: &'a Source,
+        options: &Options,
+    ) -> Result<Self, BadOption> {
+        let observed = observed(program, &options.observe)?;
+        let source_name = source.file_name().to_owned();
+        let expand = expand::Options { source: source_name.clone(), observe: observed.clone() };
+        Ok(Unit {
+            program,
+            source,
+            design: expand::compile(program, &expand),
+            observed,
+            print: hdl::Options { reset: options.reset, source: source_name, ..Default::default() },
+            board: board(program, options)?,
+        })
+    }
+
+    /// The files of these kinds, each once.
+    pub fn emit(&self, kinds: &[Emit]) -> Vec<Artifact> {
+        let asked = |(emit, _): &(Emit, Language)| kinds.contains(emit);
+        let mut languages: Vec<Language> =
+            [(Emit::Verilog, Language::Verilog), (Emit::Vhdl, Language::Vhdl)]
+                .into_iter()
+                .filter(asked)
+                .map(|(_, language)| language)
+                .collect();
+        let mut artifacts: Vec<Artifact> =
+            languages.iter().map(|&language| self.core(language)).collect();
+        if languages.is_empty() {
+            languages.push(Language::Verilog);
+        }
+        for language in languages {
+            if kinds.contains(&Emit::Testbench) {
+                artifacts.push(self.testbench(language));
+            }
+            if kinds.contains(&Emit::Wrapper) {
+                artifacts.push(self.wrapper(language));
+            }
+        }
+        artifacts
+    }
+
+    fn core(&self, language: Language) -> Artifact {
+        let text = hdl::print(&self.design, language, &self.print);
+        self.artifact("", language, text)
+    }
+
+    fn testbench(&self, language: Language) -> Artifact {
+        let shipped = Shown { design: &self.design, observed: &self.observed };
+        let text = testbench::print(self.program, self.source, &shipped, language, &self.print);
+        self.artifact(testbench::SUFFIX, language, text)
+    }
+
+    fn wrapper(&self, language: Language) -> Artifact {
+        let text = hdl::print_wrapper(&self.design, language, &self.print, &self.board);
+        self.artifact("_top", language, text)
+    }
+
+    fn artifact(&self, suffix: &str, language: Language, text: String) -> Artifact {
+        let file_name = format!("{}{suffix}.{}", self.program.name, language.extension());
+        Artifact { file_name, text }
+    }
+}
+
+fn observed(program: &Program, names: &[String]) -> Result<Vec<VariableId>, BadOption> {
+    let mut observe = Vec::new();
+    for name in names {
+        let variable = program.variable_named(name).ok_or_else(|| {
+            BadOption(format!("the program has no variable or member `{name}` to observe"))
+        })?;
+        let is_port = matches!(program.variables[variable].role, Role::Input | Role::Output);
+        if !is_port && !observe.contains(&variable) {
+            observe.push(variable);
+        }
+    }
+    Ok(observe)
+}
+
+fn board(program: &Program, options: &Options) -> Result<Board, BadOption> {
+    let tick_ns = program.tick_ns;
+    let clock_hz = options.clock_hz.unwrap_or(program.clock_hz);
+    let tick = quantity::time_text(tick_ns.into());
+    if u128::from(clock_hz) * u128::from(tick_ns) < 1_000_000_000 {
+        return Err(BadOption(format!(
+            "a clock of {clock_hz} Hz is slower than the tick of {tick}"
+        )));
+    }
+    let debounce_ticks = match options.debounce_ns {
+        None => None,
+        Some(ns) => {
+            let ticks = u32::try_from(ns / tick_ns).ok().filter(|&ticks| ticks > 0);
+            let ticks = ticks.filter(|_| ns % tick_ns == 0).ok_or_else(|| {
+                BadOption(format!("the debounce time is no whole number of ticks of {tick}"))
+            })?;
+            Some(ticks)
+        }
+    };
+    Ok(Board { clock_hz, tick_ns, debounce_ticks })
+}

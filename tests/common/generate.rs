@@ -1,0 +1,302 @@
+//! Random programs, as text, that cover the language. One seed is one program.
+
+use std::fmt::Write;
+
+use fastrand::Rng;
+use hotrail::blocks::{self, Block, Port, PortRole};
+use hotrail::types::Type;
+
+const NUMBERS: [&str; 7] = ["INT", "UINT", "DINT", "UDINT", "WORD", "DWORD", "TIME"];
+const RELATIONS: [&str; 6] = ["=", "<>", "<", "<=", ">", ">="];
+
+/// A program under construction.
+struct Generator {
+    random: Rng,
+    /// Names of type `BOOL` that can be read, and those of them that can be written.
+    bits: Vec<String>,
+    coils: Vec<String>,
+    /// Names and types of numbers that can be read, and those that can be written.
+    numbers: Vec<(String, &'static str)>,
+    targets: Vec<(String, &'static str)>,
+    /// Blocks still to be called.
+    uncalled: Vec<Uncalled>,
+    instances: Vec<String>,
+}
+
+/// A block that is not called yet.
+struct Uncalled {
+    name: String,
+    block: &'static Block,
+    /// For each port, whether the call leaves it to a member.
+    left_out: Vec<bool>,
+}
+
+/// The text of the random program of a seed.
+pub fn program(seed: u64) -> String {
+    let mut generator = Generator {
+        random: Rng::with_seed(seed),
+        bits: vec!["first_scan".to_owned()],
+        coils: Vec::new(),
+        numbers: Vec::new(),
+        targets: Vec::new(),
+        uncalled: Vec::new(),
+        instances: Vec::new(),
+    };
+    let mut text = format!("ladder random_{seed}\n");
+    generator.declarations(&mut text);
+    let rungs = 1 + generator.random.usize(..12);
+    for _ in 0..rungs {
+        generator.rung(&mut text);
+    }
+    while !generator.uncalled.is_empty() {
+        let call = generator.call();
+        let network = generator.looks(1);
+        writeln!(text, "rung {network} {call}").unwrap();
+    }
+    text
+}
+
+impl Generator {
+    fn chance(&mut self, one_in: u32) -> bool {
+        self.random.u32(..one_in) == 0
+    }
+
+    fn pick<T: Clone>(&mut self, list: &[T]) -> T {
+        list[self.random.usize(..list.len())].clone()
+    }
+
+    fn declarations(&mut self, text: &mut String) {
+        for (kind, letter, most) in [("input", "i", 5), ("output", "o", 4), ("var", "v", 4)] {
+            for index in 0..1 + self.random.usize(..most) {
+                let name = self.name(letter, index);
+                if index > 0 && self.chance(3) {
+                    let ty = self.pick(&NUMBERS);
+                    let initial = if kind != "input" && self.chance(2) {
+                        format!(" := {}", self.literal(ty))
+                    } else {
+                        String::new()
+                    };
+                    writeln!(text, "{kind} {name} : {ty}{initial}").unwrap();
+                    self.numbers.push((name.clone(), ty));
+                    if kind != "input" {
+                        self.targets.push((name, ty));
+                    }
+                } else {
+                    let initial = if kind != "input" && self.chance(4) { " := 1" } else { "" };
+                    writeln!(text, "{kind} {name}{initial}").unwrap();
+                    self.bits.push(name.clone());
+                    if kind != "input" {
+                        self.coils.push(name);
+                    }
+                }
+            }
+        }
+        for index in 0..self.random.usize(..4) {
+            self.block(format!("b{index}"));
+        }
+    }
+
+    /// Makes a block of any kind, and its members known.
+    fn block(&mut self, name: String) {
+        let block = self.pick(blocks::ALL);
+        let left_out: Vec<bool> = block.ports.iter().map(|_| self.chance(3)).collect();
+        for (port, &left_out) in block.ports.iter().zip(&left_out) {
+            let member = format!("{name}.{}", port.name);
+            if !port.role.is_member() {
+                continue;
+            }
+            if port.ty == Type::Bool {
+                self.bits.push(member);
+                continue;
+            }
+            if left_out && port.role.is_parameter() {
+                self.targets.push((member.clone(), port.ty.name()));
+            }
+            self.numbers.push((member, port.ty.name()));
+        }
+        self.instances.push(name.clone());
+        self.uncalled.push(Uncalled { name, block, left_out });
+    }
+
+    /// A name: mostly plain, sometimes one that hardware cannot take as it is.
+    fn name(&mut self, letter: &str, index: usize) -> String {
+        let strange = match letter {
+            "i" => ["`I:0/1`", "signal", "`2nd`", "clk", "_in"],
+            "o" => ["`%QX0.1`", "process", "y__1", "Rst", "`tick`"],
+            _ => ["`I_0_1`", "begin", "`motor an`", "Signal_u", "unsigned"],
+        };
+        if self.chance(6) { strange[index].to_owned() } else { format!("{letter}{index}") }
+    }
+
+    fn rung(&mut self, text: &mut String) {
+        let title = if self.chance(3) { " \"a title\"" } else { "" };
+        write!(text, "rung{title}").unwrap();
+        if !self.chance(4) {
+            let network = self.series(2);
+            write!(text, " {network}").unwrap();
+        }
+        let output = self.output();
+        writeln!(text, " {output}").unwrap();
+    }
+
+    /// A series that may act on the power and hold outputs.
+    fn series(&mut self, depth: u32) -> String {
+        let elements = 1 + self.random.usize(..4);
+        let list: Vec<String> = (0..elements).map(|_| self.element(depth)).collect();
+        list.join(" ")
+    }
+
+    fn element(&mut self, depth: u32) -> String {
+        match self.random.u32(..24) {
+            0 => self.output(),
+            1 => "rising".to_owned(),
+            2 => "falling".to_owned(),
+            3 => "not".to_owned(),
+            4 if !self.uncalled.is_empty() => self.call(),
+            5..=8 if depth > 0 => {
+                let branches = 1 + self.random.usize(..3);
+                let list: Vec<String> = (0..branches).map(|_| self.series(depth - 1)).collect();
+                format!("[ {} ]", list.join(" | "))
+            }
+            _ => self.look(depth),
+        }
+    }
+
+    /// A series that only looks.
+    fn looks(&mut self, depth: u32) -> String {
+        let elements = 1 + self.random.usize(..3);
+        let list: Vec<String> = (0..elements).map(|_| self.look(depth)).collect();
+        list.join(" ")
+    }
+
+    fn look(&mut self, depth: u32) -> String {
+        match self.random.u32(..16) {
+            0 => self.pick(&["TRUE", "FALSE"]).to_owned(),
+            1..=2 => {
+                let bits: Vec<String> =
+                    self.bits.iter().filter(|bit| *bit != "first_scan").cloned().collect();
+                let (edge, bit) = (self.pick(&["rise", "fall"]), self.pick(&bits));
+                format!("{edge}({bit})")
+            }
+            3..=4 => {
+                let condition = self.condition(depth);
+                format!("{{ {condition} }}")
+            }
+            5..=6 if depth > 0 => {
+                let branches = 1 + self.random.usize(..3);
+                let list: Vec<String> = (0..branches).map(|_| self.looks(depth - 1)).collect();
+                format!("[ {} ]", list.join(" | "))
+            }
+            _ => {
+                let bit = self.pick(&self.bits.clone());
+                format!("{}{bit}", self.pick(&["", "", "!"]))
+            }
+        }
+    }
+
+    fn output(&mut self) -> String {
+        match self.random.u32(..12) {
+            0..=2 if !self.targets.is_empty() => {
+                let (target, ty) = self.pick(&self.targets.clone());
+                let value = self.number(ty, 2);
+                format!("{{ {target} := {value} }}")
+            }
+            3 if !self.instances.is_empty() => {
+                format!("(R {})", self.pick(&self.instances.clone()))
+            }
+            _ => {
+                let coil = self.pick(&self.coils.clone());
+                let action = self.pick(&["", "", "", "", "!", "S ", "R ", "rise ", "fall "]);
+                format!("({action}{coil})")
+            }
+        }
+    }
+
+    fn call(&mut self) -> String {
+        // The last one that was declared or any other: a member may be read above its call.
+        let place = self.random.usize(..self.uncalled.len());
+        let Uncalled { name, block, left_out } = self.uncalled.swap_remove(place);
+        let mut arguments = Vec::new();
+        for (port, left_out) in block.ports.iter().zip(left_out) {
+            let value = match port.role {
+                _ if left_out => continue,
+                PortRole::Circuit => format!("[ {} ]", self.looks(1)),
+                PortRole::Preset { low, high } => self.preset(port, low, high),
+                PortRole::Output | PortRole::State | PortRole::Memory => continue,
+            };
+            arguments.push(format!("{} := {value}", port.name));
+        }
+        self.random.shuffle(&mut arguments);
+        format!("{name}:{}({})", block.name, arguments.join(", "))
+    }
+
+    /// A value for a preset: mostly a small constant, so that a short run reaches it.
+    fn preset(&mut self, port: &Port, low: i64, high: i64) -> String {
+        let ty = port.ty.name();
+        let variables: Vec<String> =
+            self.numbers.iter().filter(|n| n.1 == ty).map(|n| n.0.clone()).collect();
+        match self.random.u32(..8) {
+            0..=2 if !variables.is_empty() => self.pick(&variables),
+            3 if !variables.is_empty() => {
+                let operator = if port.ty.is_number() { "+" } else { "XOR" };
+                format!("{} {operator} {}", self.pick(&variables), self.literal(ty))
+            }
+            choice => {
+                let value = if choice == 4 { high } else { self.random.i64(low..low + 6) };
+                if port.ty == Type::Time { format!("{value}ms") } else { value.to_string() }
+            }
+        }
+    }
+
+    fn literal(&mut self, ty: &str) -> String {
+        match ty {
+            "TIME" => format!("{}ms", self.random.u32(..6)),
+            "INT" => self.pick(&["0", "1", "2", "5", "-1", "32767", "-32768"]).to_owned(),
+            "DINT" => self.pick(&["0", "1", "7", "-1", "2147483647", "-2147483648"]).to_owned(),
+            "UINT" => self.pick(&["0", "1", "3", "65535"]).to_owned(),
+            "UDINT" => self.pick(&["0", "1", "3", "4294967295"]).to_owned(),
+            "WORD" => self.pick(&["16#0", "16#FF", "2#1010", "16#FFFF"]).to_owned(),
+            _ => self.pick(&["16#0", "16#FF00FF", "8#17", "16#FFFFFFFF"]).to_owned(),
+        }
+    }
+
+    fn number(&mut self, ty: &str, depth: u32) -> String {
+        let same: Vec<String> =
+            self.numbers.iter().filter(|number| number.1 == ty).map(|n| n.0.clone()).collect();
+        let is_pattern = matches!(ty, "WORD" | "DWORD");
+        match self.random.u32(..5) {
+            0..=1 if depth > 0 => {
+                let (a, b) = (self.number(ty, depth - 1), self.number(ty, depth - 1));
+                let operators: &[&str] =
+                    if is_pattern { &["AND", "OR", "XOR"] } else { &["+", "-"] };
+                let text = format!("({a} {} {b})", self.pick(operators));
+                // Literals alone do not wrap: a sum that does not fit its type is an error.
+                match text.contains(|c: char| c.is_ascii_alphabetic()) {
+                    true => text,
+                    false => self.literal(ty),
+                }
+            }
+            2 if depth > 0 && !same.is_empty() => {
+                let operator = if is_pattern { "NOT " } else { "-" };
+                format!("({operator}{})", self.pick(&same))
+            }
+            3..=4 if !same.is_empty() => self.pick(&same),
+            _ => self.literal(ty),
+        }
+    }
+
+    fn condition(&mut self, depth: u32) -> String {
+        if depth > 0 && self.chance(3) {
+            let (a, b) = (self.condition(depth - 1), self.condition(depth - 1));
+            return format!("({a}) {} ({b})", self.pick(&["AND", "OR", "XOR"]));
+        }
+        let bits: Vec<String> =
+            self.bits.iter().filter(|bit| *bit != "first_scan").cloned().collect();
+        if self.numbers.is_empty() || self.chance(4) {
+            return format!("{}{}", self.pick(&["", "NOT "]), self.pick(&bits));
+        }
+        let (name, ty) = self.pick(&self.numbers.clone());
+        let other = self.number(ty, 1);
+        format!("{name} {} {other}", self.pick(&RELATIONS))
+    }
+}

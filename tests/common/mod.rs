@@ -1,0 +1,92 @@
+//! What several test files need.
+#![allow(dead_code, reason = "each test file uses a part of it")]
+
+pub mod bench;
+pub mod designs;
+pub mod generate;
+pub mod interpreter;
+pub mod proof;
+pub mod shrink;
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+/// True if a tool can be started. Where it is missing the test says so and passes, unless
+/// `HOTRAIL_REQUIRE_TOOLS=1`.
+///
+/// # Panics
+/// If the tool is missing and required.
+pub fn require_tool(name: &str) -> bool {
+    let found = Command::new(name)
+        .arg(if name == "iverilog" { "-V" } else { "--version" })
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .status()
+        .is_ok();
+    if !found {
+        let required = std::env::var_os("HOTRAIL_REQUIRE_TOOLS").is_some_and(|value| value == "1");
+        assert!(!required, "{name} is missing and HOTRAIL_REQUIRE_TOOLS=1");
+        eprintln!("SKIPPED: {name} is missing");
+    }
+    found
+}
+
+/// Runs a tool in a folder and returns what it wrote.
+///
+/// # Panics
+/// If it fails; the message has all that it wrote.
+pub fn run(folder: &Path, tool: &str, arguments: &[&str]) -> String {
+    let output = Command::new(tool)
+        .args(arguments)
+        .current_dir(folder)
+        .stdin(Stdio::null())
+        .output()
+        .unwrap_or_else(|error| panic!("{tool}: {error}"));
+    let text = String::from_utf8_lossy(&[output.stdout, output.stderr].concat()).into_owned();
+    assert!(output.status.success(), "{tool} {arguments:?}: {}\n{text}", output.status);
+    text
+}
+
+/// What an example's `golden` folder holds, as `hotrail build --emit` takes it.
+pub const GOLDEN: &str = "verilog,vhdl,testbench,wrapper";
+
+/// One folder of `examples/`.
+pub struct Example {
+    /// The folder.
+    pub folder: PathBuf,
+    /// The ladder in it.
+    pub ladder: PathBuf,
+}
+
+impl Example {
+    /// The name of the folder, of the ladder and of its program.
+    pub fn name(&self) -> String {
+        let name = self.folder.file_name().expect("a folder has a name");
+        name.to_string_lossy().into_owned()
+    }
+}
+
+/// A number from the environment, for how much a random test does.
+pub fn amount(variable: &str, otherwise: u64) -> u64 {
+    let given = std::env::var(variable).ok();
+    given.map_or(otherwise, |text| text.parse().expect("an amount is a number"))
+}
+
+/// Every example, in order of its name.
+///
+/// # Panics
+/// If there is none, or one has no ladder of its own name.
+pub fn examples() -> Vec<Example> {
+    let entries = std::fs::read_dir("examples").expect("there are examples");
+    let folders = entries.map(|entry| entry.expect("the folder can be read").path());
+    let mut folders: Vec<PathBuf> = folders.filter(|path| path.is_dir()).collect();
+    folders.sort();
+    assert!(!folders.is_empty());
+    let examples = folders.into_iter().map(|folder| {
+        let name = folder.file_name().expect("a folder has a name").to_owned();
+        let ladder = folder.join(name).with_extension("ladder");
+        assert!(ladder.is_file(), "{} is missing", ladder.display());
+        Example { folder, ladder }
+    });
+    examples.collect()
+}
