@@ -16,12 +16,14 @@
 
 pub mod backend;
 pub mod blocks;
+mod build_script;
 pub mod check;
 pub mod circuit;
 pub mod diagnostic;
 pub mod equations;
 pub mod eval;
 pub mod expand;
+pub mod files;
 mod index;
 pub mod lint;
 pub mod model;
@@ -31,6 +33,7 @@ pub mod syntax;
 pub mod types;
 
 pub use backend::Emit;
+pub use build_script::{Build, BuildError, Finding};
 pub use expand::compile;
 
 use std::collections::HashSet;

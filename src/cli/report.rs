@@ -1,0 +1,115 @@
+//! Findings in the form that the user asked for.
+
+use std::io::{self, Write};
+use std::path::Path;
+
+use hotrail::diagnostic::{self, Diagnostic, Sarif};
+use hotrail::files::{self, FileError};
+use hotrail::lint;
+use hotrail::model::Program;
+use hotrail::source::Source;
+
+use super::{MessageFormat, Style};
+
+/// Nobody reads more findings about one file with their snippets.
+const MOST_SHOWN: usize = 100;
+
+/// Takes the findings of a command. What people and editors read goes to standard error as it is
+/// found; what GitHub reads goes to standard output, SARIF as one document at the end.
+pub struct Report {
+    style: Style,
+    sarif: Sarif,
+}
+
+impl Report {
+    /// Nothing found yet.
+    pub fn new(style: Style) -> Self {
+        Report { style, sarif: Sarif::default() }
+    }
+
+    /// Reads, parses and checks a file and reports what was found. The program is there if
+    /// nothing stands against building it.
+    pub fn analyze(&mut self, path: &Path, lints: &lint::Options) -> Option<(Source, Program)> {
+        let source = match files::read_source(path) {
+            Ok(source) => source,
+            Err(error) => {
+                self.file_error(&error);
+                return None;
+            }
+        };
+        let (program, diagnostics) = hotrail::analyze_with(&source, lints);
+        self.findings(&diagnostics, &source);
+        program.map(|program| (source, program))
+    }
+
+    /// Reports findings in a source.
+    pub fn findings(&mut self, diagnostics: &[Diagnostic], source: &Source) {
+        let human = self.style.message_format == MessageFormat::Human;
+        let shown = if human { MOST_SHOWN } else { usize::MAX };
+        for found in diagnostics.iter().take(shown) {
+            match self.style.message_format {
+                MessageFormat::Human => {
+                    err(&(diagnostic::render(found, source, self.style.use_color()) + "\n"));
+                }
+                MessageFormat::Short => err(&diagnostic::render_short(found, source)),
+                MessageFormat::Json => err(&diagnostic::render_json(found, source)),
+                MessageFormat::Github => out(&diagnostic::render_github(found, source)),
+                MessageFormat::Sarif => self.sarif.add(found, source),
+            }
+        }
+        if diagnostics.len() > shown {
+            let more = diagnostics.len() - shown;
+            err(&format!("{more} more findings; --message-format short shows all\n"));
+        }
+    }
+
+    /// Reports what is wrong with a file as a whole.
+    pub fn file_error(&mut self, error: &FileError) {
+        let FileError { code, path, problem, help } = error;
+        let file = path.display().to_string();
+        let help = help.as_ref().map(|help| format!("\nhelp: {help}")).unwrap_or_default();
+        let message = format!("{problem}{help}");
+        match self.style.message_format {
+            MessageFormat::Human | MessageFormat::Short | MessageFormat::Json => {
+                err(&error.to_string())
+            }
+            MessageFormat::Github => {
+                out(&diagnostic::render_github_file(*code, &file, &message));
+            }
+            MessageFormat::Sarif => self.sarif.add_file(*code, &file, &message),
+        }
+    }
+
+    /// Prints the result of a command, which must not stand inside a document.
+    pub fn result(&self, text: &str) {
+        match self.style.message_format {
+            MessageFormat::Sarif => err(text),
+            _ => out(text),
+        }
+    }
+
+    /// Ends the report.
+    pub fn finish(self) {
+        if self.style.message_format == MessageFormat::Sarif {
+            out(&self.sarif.render());
+        }
+    }
+}
+
+/// Writes to standard output.
+pub fn out(text: &str) {
+    write(io::stdout().lock(), text);
+}
+
+/// Writes to standard error.
+pub fn err(text: &str) {
+    write(io::stderr().lock(), text);
+}
+
+/// Writes at once. Where the reader has gone away, as `head` does, the program ends without a
+/// word: nobody is there to read it.
+fn write(mut to: impl Write, text: &str) {
+    if to.write_all(text.as_bytes()).and_then(|()| to.flush()).is_err() {
+        std::process::exit(1);
+    }
+}

@@ -1,0 +1,237 @@
+//! Files at the edge: sources in, artifacts out, all of them or none.
+
+use std::collections::HashMap;
+use std::fs;
+use std::io::{self, Read, Write};
+use std::path::{Path, PathBuf};
+
+use crate::backend::{Artifact, hdl};
+use crate::diagnostic::{Code, code};
+use crate::source::Source;
+
+/// Largest source that is read, in bytes.
+pub const LARGEST_SOURCE: u64 = 64 << 20;
+
+/// What went wrong with a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FileError {
+    /// The kind of finding.
+    pub code: Code,
+    /// The file, as named by the user.
+    pub path: PathBuf,
+    /// What is wrong with it.
+    pub problem: String,
+    /// How to mend it, if that can be said.
+    pub help: Option<String>,
+}
+
+impl FileError {
+    fn new(code: Code, path: &Path, problem: impl ToString) -> Self {
+        FileError { code, path: path.to_owned(), problem: problem.to_string(), help: None }
+    }
+
+    fn help(self, help: &str) -> Self {
+        FileError { help: Some(help.to_owned()), ..self }
+    }
+}
+
+impl std::fmt::Display for FileError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        writeln!(f, "error[{}]: {}: {}", self.code.id, self.path.display(), self.problem)?;
+        match &self.help {
+            Some(help) => writeln!(f, "  = help: {help}"),
+            None => Ok(()),
+        }
+    }
+}
+
+impl std::error::Error for FileError {}
+
+/// Reads a source; `-` is standard input.
+///
+/// # Errors
+/// If it cannot be read, is too large or is no UTF-8 text.
+pub fn read_source(path: &Path) -> Result<Source, FileError> {
+    let fail = |problem: String| FileError::new(code::CANNOT_READ, path, problem);
+    let from_stdin = path.as_os_str() == "-";
+    let open = || -> io::Result<Box<dyn io::Read>> {
+        Ok(if from_stdin { Box::new(io::stdin()) } else { Box::new(fs::File::open(path)?) })
+    };
+    let mut bytes = Vec::new();
+    open()
+        .and_then(|file| file.take(LARGEST_SOURCE + 1).read_to_end(&mut bytes))
+        .map_err(|error| fail(error.to_string()))?;
+    if bytes.len() as u64 > LARGEST_SOURCE {
+        return Err(fail(format!("larger than {} MiB", LARGEST_SOURCE >> 20))
+            .help("split the program into several"));
+    }
+    let name = if from_stdin { "<stdin>".to_owned() } else { path.display().to_string() };
+    match String::from_utf8(bytes) {
+        Ok(text) => Ok(Source::new(name, text)),
+        Err(error) => {
+            let valid = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+            let before = Source::new(name, String::from_utf8_lossy(valid));
+            let place = before.position(valid.len() as u32);
+            Err(FileError::new(code::NOT_TEXT, path, format!("not UTF-8 at {place}"))
+                .help("save it as UTF-8"))
+        }
+    }
+}
+
+/// Writes every artifact into a folder, or none: each goes to a new file first, which then takes
+/// the artifact's name.
+///
+/// # Errors
+/// If a file cannot be written, is a symbolic link, is one of the sources, or is there and was
+/// not made by hotrail (unless `force`).
+pub fn write_all(
+    folder: &Path,
+    artifacts: &[Artifact],
+    sources: &[PathBuf],
+    force: bool,
+) -> Result<(), FileError> {
+    if folder.is_file() {
+        let error = FileError::new(code::CANNOT_WRITE, folder, "is a file, not a folder");
+        return Err(error.help("name a folder; the files in it are named after the program"));
+    }
+    fs::create_dir_all(folder).map_err(|error| cannot_write(folder, error))?;
+    let mut staged = Vec::new();
+    for artifact in artifacts {
+        let path = folder.join(&artifact.file_name);
+        check_target(&path, sources, force)?;
+        staged.push(stage(path, &artifact.text, set_usual_permissions)?);
+    }
+    persist(staged)
+}
+
+/// Gives ordinary files a new text, all of them or none; they keep their permissions.
+///
+/// # Errors
+/// If one of them cannot be written, is read-only or is a symbolic link.
+pub fn replace_all(files: &[(&Path, String)]) -> Result<(), FileError> {
+    let mut staged = Vec::new();
+    for (path, text) in files {
+        let permissions = check_ordinary(path)?.permissions();
+        if permissions.readonly() {
+            let error = FileError::new(code::CANNOT_WRITE, path, "is read-only");
+            return Err(error.help("make it writable first"));
+        }
+        staged.push(stage(path.to_path_buf(), text, |file| file.set_permissions(permissions))?);
+    }
+    persist(staged)
+}
+
+fn cannot_write(path: &Path, error: io::Error) -> FileError {
+    FileError::new(code::CANNOT_WRITE, path, error)
+}
+
+/// A complete file that has yet to take its name.
+struct Staged {
+    file: tempfile::NamedTempFile,
+    path: PathBuf,
+}
+
+/// Writes a text to a new file beside the one that it is to replace.
+fn stage(
+    path: PathBuf,
+    text: &str,
+    set_permissions: impl FnOnce(&fs::File) -> io::Result<()>,
+) -> Result<Staged, FileError> {
+    let folder = match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    let write = || -> io::Result<tempfile::NamedTempFile> {
+        let mut file = tempfile::Builder::new().prefix(".hotrail-").tempfile_in(folder)?;
+        file.write_all(text.as_bytes())?;
+        set_permissions(file.as_file())?;
+        Ok(file)
+    };
+    let file = write().map_err(|error| cannot_write(&path, error))?;
+    Ok(Staged { file, path })
+}
+
+fn persist(staged: Vec<Staged>) -> Result<(), FileError> {
+    for Staged { file, path } in staged {
+        file.persist(&path).map_err(|error| cannot_write(&path, error.error))?;
+    }
+    Ok(())
+}
+
+/// Refuses what is no file, or is one under another name.
+fn check_ordinary(path: &Path) -> Result<fs::Metadata, FileError> {
+    let refuse = |problem: &str| FileError::new(code::CANNOT_WRITE, path, problem);
+    let metadata = fs::symlink_metadata(path).map_err(|error| cannot_write(path, error))?;
+    if metadata.is_symlink() {
+        return Err(refuse("is a symbolic link").help("name the file that it leads to"));
+    }
+    if !metadata.is_file() {
+        return Err(refuse("is no ordinary file"));
+    }
+    Ok(metadata)
+}
+
+/// Sources that would write one file, also on systems that ignore case.
+pub fn shared_names(artifacts: &[(PathBuf, Vec<Artifact>)]) -> Vec<FileError> {
+    let mut owners: HashMap<String, &Path> = HashMap::new();
+    let mut errors = Vec::new();
+    for (source, made) in artifacts {
+        for Artifact { file_name, .. } in made {
+            if let Some(other) = owners.insert(file_name.to_lowercase(), source) {
+                let same = other == source;
+                let problem = match same {
+                    true => "is named twice".to_owned(),
+                    false => format!("would write {file_name}, and so would {}", other.display()),
+                };
+                let help =
+                    if same { "name it once" } else { "give one of the programs another name" };
+                errors.push(FileError::new(code::SAME_NAME, source, problem).help(help));
+                if same {
+                    break;
+                }
+            }
+        }
+    }
+    errors
+}
+
+/// Refuses to write where something would be lost that hotrail did not make.
+fn check_target(path: &Path, sources: &[PathBuf], force: bool) -> Result<(), FileError> {
+    let Ok(metadata) = fs::symlink_metadata(path) else { return Ok(()) };
+    let refuse = |problem: &str| FileError::new(code::CANNOT_WRITE, path, problem);
+    if metadata.is_symlink() {
+        return Err(refuse("is a symbolic link").help("remove it first"));
+    }
+    let same = |source: &PathBuf| matches!((source.canonicalize(), path.canonicalize()), (Ok(a), Ok(b)) if a == b);
+    if sources.iter().any(same) {
+        return Err(refuse("is a source").help("choose another folder"));
+    }
+    if !metadata.is_file() {
+        return Err(refuse("is no ordinary file").help("remove it first"));
+    }
+    if force || metadata.len() == 0 {
+        return Ok(());
+    }
+    let mut start = Vec::new();
+    let file = fs::File::open(path);
+    file.and_then(|file| file.take(512).read_to_end(&mut start))
+        .map_err(|error| refuse(&error.to_string()))?;
+    if hdl::bears_header(&String::from_utf8_lossy(&start)) {
+        return Ok(());
+    }
+    Err(refuse("is there and was not made by hotrail")
+        .help("use --force to replace it, or choose another folder"))
+}
+
+/// A temporary file is its owner's alone; an artifact is what `File::create` would make it.
+#[cfg(unix)]
+fn set_usual_permissions(file: &fs::File) -> io::Result<()> {
+    use std::os::unix::fs::PermissionsExt;
+    // The umask cannot be read without changing it; 644 is what nearly everybody has.
+    file.set_permissions(fs::Permissions::from_mode(0o644))
+}
+
+#[cfg(not(unix))]
+fn set_usual_permissions(_: &fs::File) -> io::Result<()> {
+    Ok(())
+}
