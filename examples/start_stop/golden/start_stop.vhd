@@ -1,0 +1,104 @@
+-- Made by hotrail 0.1.0 from start_stop.ladder. Do not edit: change the ladder and build again.
+
+-- TON: on-delay timer
+-- PT = 3
+-- IN  _#######__###__##_
+-- Q   ____####__________
+-- ET  001233330001200010
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity start_stop_TON_PT5000 is
+  port (
+    clk   : in  std_logic;
+    rst   : in  std_logic;
+    tick  : in  std_logic;
+    power : in  std_logic;
+    Q     : out std_logic
+  );
+end entity start_stop_TON_PT5000;
+
+architecture rtl of start_stop_TON_PT5000 is
+  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal was : std_logic := '0';
+  signal less : std_logic;
+  signal sum : unsigned(31 downto 0);
+  signal ET_next : unsigned(31 downto 0);
+  signal at_least : std_logic;
+begin
+  less <= '1' when signed(ET) < 5000 else '0';
+  sum <= ET + (to_unsigned(0, 31) & (tick and less));
+  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
+  at_least <= '1' when signed(ET_next) >= 5000 else '0';
+
+  Q <= power and at_least;
+
+  process (clk)
+  begin
+    if rising_edge(clk) then
+      if rst = '1' then
+        ET <= (others => '0');
+        was <= '0';
+      else
+        ET <= ET_next;
+        was <= power;
+      end if;
+    end if;
+  end process;
+end architecture rtl;
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity start_stop is
+  port (
+    clk   : in  std_logic;
+    rst   : in  std_logic;
+    tick  : in  std_logic;
+    start : in  std_logic;
+    stop  : in  std_logic;
+    motor : out std_logic;
+    lamp  : out std_logic
+  );
+end entity start_stop;
+
+architecture rtl of start_stop is
+  signal motor_reg : std_logic := '0';
+  signal lamp_reg : std_logic := '0';
+  signal motor_next : std_logic;
+  signal delay_Q : std_logic;
+  signal lamp_next : std_logic;
+begin
+
+  -- rung 1 "seal-in", start_stop.ladder:7
+  motor_next <= (start or motor_reg) and not stop;
+
+  -- rung 2 "lamp after five seconds", start_stop.ladder:10
+  delay: entity work.start_stop_TON_PT5000
+    port map (
+      clk => clk,
+      rst => rst,
+      tick => tick,
+      power => motor_next,
+      Q => delay_Q
+    );
+  lamp_next <= delay_Q;
+
+  motor <= motor_reg;
+  lamp <= lamp_reg;
+
+  process (clk)
+  begin
+    if rising_edge(clk) then
+      if rst = '1' then
+        motor_reg <= '0';
+        lamp_reg <= '0';
+      else
+        motor_reg <= motor_next;
+        lamp_reg <= lamp_next;
+      end if;
+    end if;
+  end process;
+end architecture rtl;
