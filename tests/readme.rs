@@ -1,0 +1,49 @@
+//! What the README shows is what happens.
+
+use std::process::Command;
+
+const README: &str = include_str!("../README.md");
+
+/// The blocks of a language in the README.
+fn blocks(language: &str) -> Vec<&'static str> {
+    let fence = format!("```{language}\n");
+    README.split(&fence).skip(1).map(|rest| rest.split("```").next().unwrap()).collect()
+}
+
+#[test]
+fn the_main_job_runs_as_printed() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut ran = 0;
+    for line in blocks("sh").iter().flat_map(|block| block.lines()) {
+        let Some(arguments) = line.strip_prefix("cargo run --release -- ") else { continue };
+        let out = folder.path().join("out").display().to_string();
+        let arguments = arguments.split(' ').map(|word| if word == "out" { &out } else { word });
+        let status = Command::new(env!("CARGO_BIN_EXE_hotrail")).args(arguments).status().unwrap();
+        assert!(status.success(), "{line}");
+        ran += 1;
+    }
+    assert_eq!(ran, 1);
+    for file in ["start_stop.v", "start_stop.vhd"] {
+        let built = std::fs::read_to_string(folder.path().join("out").join(file)).unwrap();
+        let golden = std::fs::read_to_string(format!("examples/start_stop/golden/{file}")).unwrap();
+        assert_eq!(built, golden, "{file}");
+    }
+}
+
+#[test]
+fn the_ladder_and_the_verilog_belong_together() {
+    let [ladder] = blocks("ladder")[..] else { panic!("the README shows one ladder") };
+    let [verilog] = blocks("verilog")[..] else { panic!("the README shows one piece of Verilog") };
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("start_stop.ladder");
+    std::fs::write(&file, ladder).unwrap();
+    let run = |arguments: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_hotrail"));
+        let status = command.args(arguments).arg(&file).current_dir(folder.path()).status();
+        assert!(status.unwrap().success(), "{arguments:?}");
+    };
+    run(&["test"]);
+    run(&["build", "-o", "out"]);
+    let built = std::fs::read_to_string(folder.path().join("out/start_stop.v")).unwrap();
+    assert!(built.contains(verilog), "{built}");
+}
