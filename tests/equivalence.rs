@@ -1,0 +1,65 @@
+//! The printed VHDL and the printed Verilog are proved to be the same hardware, by Yosys, from
+//! GHDL's reading of the VHDL: every example, and random programs.
+
+mod common;
+
+use std::path::Path;
+
+use common::proof::{both_editions_are_equal, both_editions_differ};
+use common::{amount, examples, generate, require_tool, run};
+
+fn build(ladder: &Path, folder: &Path) {
+    let (out, ladder) = (folder.display().to_string(), ladder.display().to_string());
+    let build = ["build", &ladder, "-o", &out, "--emit", "verilog,vhdl"];
+    run(Path::new("."), env!("CARGO_BIN_EXE_hotrail"), &build);
+}
+
+fn prove(ladder: &Path, name: &str) {
+    let folder = tempfile::tempdir().unwrap();
+    build(ladder, folder.path());
+    let (verilog, vhdl) = (format!("{name}.v"), format!("{name}.vhd"));
+    both_editions_are_equal(folder.path(), name, &verilog, &vhdl);
+}
+
+fn can_prove() -> bool {
+    require_tool("yosys") && require_tool("ghdl")
+}
+
+#[test]
+fn vhdl_and_verilog_of_examples_are_the_same_hardware() {
+    if !can_prove() {
+        return;
+    }
+    for example in examples() {
+        prove(&example.ladder, &example.name());
+    }
+}
+
+#[test]
+fn vhdl_and_verilog_of_random_programs_are_the_same_hardware() {
+    if !can_prove() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    for seed in 0..amount("HOTRAIL_RANDOM_PROOFS", 5) {
+        let name = format!("random_{seed}");
+        let ladder = folder.path().join(format!("{name}.ladder"));
+        std::fs::write(&ladder, generate::program(seed)).unwrap();
+        prove(&ladder, &name);
+    }
+}
+
+#[test]
+fn a_difference_is_found() {
+    if !can_prove() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    build(Path::new("examples/start_stop/start_stop.ladder"), folder.path());
+    let file = folder.path().join("start_stop.v");
+    let verilog = std::fs::read_to_string(&file).unwrap();
+    let changed = verilog.replacen(" | ", " & ", 1);
+    assert_ne!(verilog, changed);
+    std::fs::write(file, changed).unwrap();
+    assert!(both_editions_differ(folder.path(), "start_stop", "start_stop.v", "start_stop.vhd"));
+}

@@ -1,0 +1,261 @@
+//! What is emitted runs in real simulators as the evaluator says, and real tools accept it.
+
+mod common;
+
+use std::fmt::Write;
+use std::path::Path;
+use std::process::Command;
+
+use common::{amount, examples, generate, require_tool, run};
+use fastrand::Rng;
+use hotrail::eval::Evaluator;
+use hotrail::model::{Program, Role, Variable, VariableId};
+use hotrail::source::Source;
+use hotrail::types::Type;
+
+const HOTRAIL: &str = env!("CARGO_BIN_EXE_hotrail");
+
+/// The simulators that are installed, as `hotrail test --on` names them.
+fn simulators() -> Vec<&'static str> {
+    let all = [("iverilog", "icarus"), ("ghdl", "ghdl")];
+    all.into_iter().filter(|(tool, _)| require_tool(tool)).map(|(_, name)| name).collect()
+}
+
+#[test]
+fn tests_of_examples_pass_in_every_simulator() {
+    for simulator in simulators() {
+        for example in examples() {
+            let ladder = example.ladder.display().to_string();
+            let text = run(Path::new("."), HOTRAIL, &["test", "--on", simulator, &ladder]);
+            assert!(!text.contains("running 0 tests"), "{text}");
+        }
+    }
+}
+
+#[test]
+fn a_wrong_expectation_fails_everywhere_with_the_same_words() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "ladder wrong  input a, b  output y, z  var n : INT
+        rung a b (y)
+        rung rise(a) { n := n - 3 } t:TON(PT := 2ms) (z)
+        test \"contact\"     a := 1  scan  expect a y  b := 1  scan  expect a !y
+        test \"number\"      repeat 2 { pulse a }  expect { n = -6 } { n > 0 }
+        test \"list\"        expect [ y | z a ]
+        test \"right\"       a := 1  b := 1  scan  expect y { t.ET = 0ms }";
+    std::fs::write(folder.path().join("wrong.ladder"), text).unwrap();
+    let failures = |executor: &str| {
+        let output = Command::new(HOTRAIL)
+            .args(["test", "wrong.ladder", "--on", executor])
+            .current_dir(folder.path())
+            .output()
+            .unwrap();
+        assert_eq!(output.status.code(), Some(1), "{executor}");
+        let shown = [output.stdout, output.stderr].concat();
+        String::from_utf8_lossy(&shown).replace(executor, "EXECUTOR")
+    };
+    let meant = failures("evaluator");
+    for expected in ["y is 0", "n is -6", "y is 0, z is 0, a is 0", "1 passed; 3 failed"] {
+        assert!(meant.contains(expected), "no {expected} in\n{meant}");
+    }
+    for simulator in simulators() {
+        assert_eq!(failures(simulator), meant, "{simulator}");
+    }
+}
+
+/// A program whose inputs have these names, with a test that reads them all.
+fn with_inputs(names: &[&str]) -> String {
+    let quoted: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+    format!(
+        "ladder named  input {}  output y  rung {} (y)
+         test \"# todo \\ the expectation of 100% 'x'\" {} scan expect y {}",
+        quoted.join(", "),
+        quoted.join(" "),
+        quoted.iter().map(|name| format!("{name} := 1 ")).collect::<String>(),
+        quoted.join(" ")
+    )
+}
+
+#[test]
+fn a_testbench_takes_every_name() {
+    let folder = tempfile::tempdir().unwrap();
+    let templates =
+        [include_str!("../templates/testbench.v"), include_str!("../templates/testbench.vhd")];
+    let is_word = |c: char| c == '_' || c.is_alphanumeric();
+    let mut names: Vec<&str> = templates
+        .iter()
+        .flat_map(|text| text.split(|c| !is_word(c)))
+        .filter(|word| word.starts_with(char::is_alphabetic))
+        .chain(["named_tb", "named_test", "named_expect", "expect_0", "expect_0_1", "y"])
+        .collect();
+    names.sort_unstable_by_key(|name| name.to_lowercase());
+    names.dedup_by_key(|name| name.to_lowercase());
+    names.retain(|&name| name != "y");
+    std::fs::write(folder.path().join("named.ladder"), with_inputs(&names)).unwrap();
+    for executor in ["evaluator"].iter().chain(&simulators()) {
+        let text = run(folder.path(), HOTRAIL, &["test", "named.ladder", "--on", executor]);
+        assert!(text.contains("1 passed"), "{text}");
+    }
+}
+
+#[test]
+fn chosen_tests_fail_at_their_own_expectations() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "ladder chosen  input a  output y  rung a (y)
+        test \"first\" scan expect !y  test \"second\" a := 1 scan expect y expect !y";
+    std::fs::write(folder.path().join("chosen.ladder"), text).unwrap();
+    for executor in ["evaluator"].iter().chain(&simulators()) {
+        let mut command = Command::new(HOTRAIL);
+        command.args(["test", "chosen.ladder", "--filter", "second", "--on", executor]);
+        let output = command.current_dir(folder.path()).output().unwrap();
+        let shown = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(shown.contains("--> chosen.ladder:2:80"), "{executor}: {shown}");
+    }
+}
+
+/// The files of a build with everything in it.
+fn build(ladder: &Path, reset: &str, folder: &Path) {
+    let out = folder.display().to_string();
+    let ladder = ladder.display().to_string();
+    let emit = common::GOLDEN;
+    run(
+        Path::new("."),
+        HOTRAIL,
+        &["build", &ladder, "-o", &out, "--emit", emit, "--reset", reset, "--debounce", "10ms"],
+    );
+}
+
+/// Tools that only look say nothing about these files.
+fn check_quietly(folder: &Path, name: &str) {
+    let file = |ending: &str| format!("{name}{ending}");
+    let (core, top) = (file(".v"), file("_top.v"));
+    if require_tool("iverilog") {
+        let quiet = |files: &[&str]| {
+            let arguments = [&["-g2005", "-Wall", "-o", "checked"], files].concat();
+            assert_eq!(run(folder, "iverilog", &arguments), "", "{files:?}");
+        };
+        quiet(&[&core, &top]);
+        quiet(&[&core, &file("_tb.v")]);
+    }
+    if require_tool("verilator") {
+        let lint = ["--lint-only", "-Wall", "--top-module"];
+        let top_module = format!("{name}_top");
+        assert_eq!(run(folder, "verilator", &[&lint[..], &[name, &core]].concat()), "");
+        let with_top = [&lint[..], &[&top_module, &top, &core]].concat();
+        assert_eq!(run(folder, "verilator", &with_top), "");
+    }
+    if require_tool("ghdl") {
+        for ending in [".vhd", "_top.vhd", "_tb.vhd"] {
+            assert_eq!(run(folder, "ghdl", &["-a", "--std=93", &file(ending)]), "");
+        }
+    }
+}
+
+#[test]
+fn tools_accept_what_is_emitted_without_a_word() {
+    for example in examples() {
+        let name = example.name();
+        for reset in ["sync-high", "sync-low", "async-low"] {
+            let folder = tempfile::tempdir().unwrap();
+            build(&example.ladder, reset, folder.path());
+            check_quietly(folder.path(), &name);
+        }
+    }
+}
+
+#[test]
+fn yosys_makes_ice40_cells_of_every_example() {
+    if !require_tool("yosys") {
+        return;
+    }
+    for example in examples() {
+        let name = example.name();
+        let folder = tempfile::tempdir().unwrap();
+        build(&example.ladder, "sync-high", folder.path());
+        let script = format!(
+            "read_verilog {name}.v {name}_top.v; synth_ice40 -top {name}_top; check -assert"
+        );
+        run(folder.path(), "yosys", &["-q", "-p", &script]);
+    }
+}
+
+/// A literal of a value, as an expectation can compare with it.
+fn literal(ty: Type, value: i64) -> String {
+    match ty {
+        // The magnitude of the lowest TIME is no TIME.
+        Type::Time if value == Type::Time.range().0 => "-2147483647ms - 1ms".to_owned(),
+        Type::Time => format!("{value}ms"),
+        _ => value.to_string(),
+    }
+}
+
+/// A variable's name as a program writes it.
+fn quoted(program: &Program, variable: &Variable) -> String {
+    match variable.role {
+        Role::Member(instance, port) => {
+            let instance = &program.instances[instance];
+            format!("`{}`.{}", instance.name, instance.block.ports[port].name)
+        }
+        _ => format!("`{}`", variable.name),
+    }
+}
+
+/// The program with a test that drives it at random and expects, after every scan, what the
+/// evaluator says.
+fn with_recorded_test(text: &str, program: &Program, random: &mut Rng) -> String {
+    let is_shown = |variable: &Variable| match variable.role {
+        Role::Output | Role::Local => true,
+        Role::Member(instance, port) => {
+            program.instances[instance].block.ports[port].role.is_member()
+        }
+        Role::Input | Role::EdgeMemory | Role::FirstScan => false,
+    };
+    let inputs: Vec<VariableId> = program.with_role(Role::Input).map(|(id, _)| id).collect();
+    let mut evaluator = Evaluator::new(program);
+    let mut text = format!("{text}test \"as recorded\"\n");
+    for _ in 0..60 {
+        for &input in &inputs {
+            let ty = &program.variables[input].ty;
+            let name = quoted(program, &program.variables[input]);
+            if random.u8(..3) == 0 {
+                let value = if random.bool() { random.i64(-3..4) } else { random.i64(..) };
+                let value = ty.wrap(value);
+                evaluator.drive(input, value);
+                writeln!(text, "    {name} := {}", literal(*ty, value)).unwrap();
+            }
+        }
+        let tick = random.bool();
+        evaluator.scan(tick);
+        text += if tick { "    wait 1ms expect TRUE" } else { "    scan expect TRUE" };
+        for (id, variable) in program.variables.iter().filter(|(_, v)| is_shown(v)) {
+            let (name, value) = (quoted(program, variable), evaluator.value(id));
+            match variable.ty {
+                Type::Bool if value == 1 => write!(text, " {name}").unwrap(),
+                Type::Bool => write!(text, " !{name}").unwrap(),
+                ty => write!(text, " {{ {name} = {} }}", literal(ty, value)).unwrap(),
+            }
+        }
+        text.push('\n');
+    }
+    text
+}
+
+#[test]
+fn random_programs_run_in_simulators_as_in_the_evaluator() {
+    let simulators = simulators();
+    let folder = tempfile::tempdir().unwrap();
+    for seed in 0..amount("HOTRAIL_RANDOM_SIMULATIONS", 5) {
+        let text = generate::program(seed);
+        let name = format!("random_{seed}");
+        let (program, _) = hotrail::analyze(&Source::new(name.clone(), text.clone()));
+        let program = program.expect("random programs are right");
+        let text = with_recorded_test(&text, &program, &mut Rng::with_seed(seed));
+        let file = folder.path().join(format!("{name}.ladder"));
+        std::fs::write(&file, &text).unwrap();
+        let file = file.display().to_string();
+        for simulator in ["evaluator"].iter().chain(&simulators) {
+            run(Path::new("."), HOTRAIL, &["test", "--on", simulator, &file]);
+        }
+        build(Path::new(&file), "sync-high", folder.path());
+        check_quietly(folder.path(), &name);
+    }
+}
