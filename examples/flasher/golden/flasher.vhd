@@ -1,0 +1,162 @@
+-- Made by hotrail 0.1.0 from flasher.ladder. Do not edit: change the ladder and build again.
+
+-- TON: on-delay timer
+-- PT = 3
+-- IN  _#######__###__##_
+-- Q   ____####__________
+-- ET  001233330001200010
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity flasher_TON_PT200 is
+  port (
+    clk    : in  std_logic;
+    rst    : in  std_logic;
+    tick   : in  std_logic;
+    power  : in  std_logic;
+    Q_last : out std_logic
+  );
+end entity flasher_TON_PT200;
+
+architecture rtl of flasher_TON_PT200 is
+  signal Q : std_logic := '0';
+  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal was : std_logic := '0';
+  signal less : std_logic;
+  signal sum : unsigned(31 downto 0);
+  signal ET_next : unsigned(31 downto 0);
+  signal at_least : std_logic;
+  signal Q_next : std_logic;
+begin
+  less <= '1' when signed(ET) < 200 else '0';
+  sum <= ET + (to_unsigned(0, 31) & (tick and less));
+  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
+  at_least <= '1' when signed(ET_next) >= 200 else '0';
+  Q_next <= power and at_least;
+
+  Q_last <= Q;
+
+  process (clk)
+  begin
+    if rising_edge(clk) then
+      if rst = '1' then
+        Q <= '0';
+        ET <= (others => '0');
+        was <= '0';
+      else
+        Q <= Q_next;
+        ET <= ET_next;
+        was <= power;
+      end if;
+    end if;
+  end process;
+end architecture rtl;
+
+-- TON: on-delay timer
+-- PT = 3
+-- IN  _#######__###__##_
+-- Q   ____####__________
+-- ET  001233330001200010
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity flasher_TON_PT1300 is
+  port (
+    clk   : in  std_logic;
+    rst   : in  std_logic;
+    tick  : in  std_logic;
+    power : in  std_logic;
+    Q     : out std_logic
+  );
+end entity flasher_TON_PT1300;
+
+architecture rtl of flasher_TON_PT1300 is
+  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal was : std_logic := '0';
+  signal less : std_logic;
+  signal sum : unsigned(31 downto 0);
+  signal ET_next : unsigned(31 downto 0);
+  signal at_least : std_logic;
+begin
+  less <= '1' when signed(ET) < 1300 else '0';
+  sum <= ET + (to_unsigned(0, 31) & (tick and less));
+  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
+  at_least <= '1' when signed(ET_next) >= 1300 else '0';
+
+  Q <= power and at_least;
+
+  process (clk)
+  begin
+    if rising_edge(clk) then
+      if rst = '1' then
+        ET <= (others => '0');
+        was <= '0';
+      else
+        ET <= ET_next;
+        was <= power;
+      end if;
+    end if;
+  end process;
+end architecture rtl;
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity flasher is
+  port (
+    clk    : in  std_logic;
+    rst    : in  std_logic;
+    tick   : in  std_logic;
+    enable : in  std_logic;
+    lamp   : out std_logic
+  );
+end entity flasher;
+
+architecture rtl of flasher is
+  signal lamp_reg : std_logic := '0';
+  signal off_time_Q_last : std_logic;
+  signal on_time_power : std_logic;
+  signal on_time_Q : std_logic;
+  signal lamp_next : std_logic;
+begin
+
+  -- rung 1 "the lamp is on until this timer has run", flasher.ladder:7
+  on_time_power <= enable and not off_time_Q_last;
+  off_time: entity work.flasher_TON_PT200
+    port map (
+      clk => clk,
+      rst => rst,
+      tick => tick,
+      power => on_time_Q,
+      Q_last => off_time_Q_last
+    );
+  on_time: entity work.flasher_TON_PT1300
+    port map (
+      clk => clk,
+      rst => rst,
+      tick => tick,
+      power => on_time_power,
+      Q => on_time_Q
+    );
+
+  -- rung 2 "and off until this one has", flasher.ladder:10
+
+  -- rung 3 "lamp", flasher.ladder:13
+  lamp_next <= enable and not on_time_Q;
+
+  lamp <= lamp_reg;
+
+  process (clk)
+  begin
+    if rising_edge(clk) then
+      if rst = '1' then
+        lamp_reg <= '0';
+      else
+        lamp_reg <= lamp_next;
+      end if;
+    end if;
+  end process;
+end architecture rtl;
