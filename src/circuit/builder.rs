@@ -145,6 +145,9 @@ impl Circuit {
     /// Bit by bit exclusive or.
     pub fn xor(&mut self, a: Net, b: Net) -> Net {
         let width = self.width(a);
+        if a == b {
+            return self.constant(0, width);
+        }
         match (self.constant_value(a), self.constant_value(b)) {
             (Some(x), Some(y)) => self.constant(x ^ y, width),
             (Some(0), None) => b,
@@ -196,6 +199,9 @@ impl Circuit {
     /// The difference, wrapped.
     pub fn sub(&mut self, a: Net, b: Net) -> Net {
         let width = self.width(a);
+        if a == b {
+            return self.constant(0, width);
+        }
         match (self.constant_value(a), self.constant_value(b)) {
             (Some(x), Some(y)) => self.constant(x.wrapping_sub(y), width),
             (None, Some(0)) => a,
@@ -254,5 +260,37 @@ impl Circuit {
             None if low == 0 && width == self.width(from) => from,
             None => self.add_cell(Op::Slice { from, low }, width),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Linters see through what is constant, and would speak of it.
+    #[test]
+    fn what_is_constant_for_every_input_is_folded() {
+        let mut circuit = Circuit::new("folded");
+        let (a, lowest) = (circuit.input("a", 16), circuit.constant(0x8000, 16));
+        let (highest, zero) = (circuit.constant(0xFFFF, 16), circuit.constant(0, 16));
+        let difference = circuit.sub(a, a);
+        let exclusive = circuit.xor(a, a);
+        for net in [difference, exclusive] {
+            assert_eq!(circuit.constant_value(net), Some(0));
+        }
+        let never = [
+            circuit.less(a, difference, false),
+            circuit.less(a, zero, false),
+            circuit.less(highest, a, false),
+            circuit.less(a, lowest, true),
+            circuit.less(a, a, true),
+        ];
+        for net in never {
+            assert_eq!(circuit.constant_value(net), Some(0));
+        }
+        let always = Circuit::eq(&mut circuit, a, a);
+        assert_eq!(circuit.constant_value(always), Some(1));
+        let sometimes = circuit.less(a, zero, true);
+        assert_eq!(circuit.constant_value(sometimes), None);
     }
 }
