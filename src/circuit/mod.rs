@@ -288,11 +288,6 @@ impl Circuit {
         }
     }
 
-    /// The index of the input port of that name.
-    pub fn input_named(&self, name: &str) -> Option<usize> {
-        self.inputs.iter().position(|input| &*input.name == name)
-    }
-
     /// The index of the output port of that name.
     pub fn output_named(&self, name: &str) -> Option<usize> {
         self.outputs.iter().position(|output| &*output.name == name)

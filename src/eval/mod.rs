@@ -6,4 +6,4 @@ mod runner;
 
 pub use evaluator::Evaluator;
 pub use expectation::{Failure, explain, variables_of};
-pub use runner::{Outcome, TestResult, run_test};
+pub use runner::{Outcome, run_test};

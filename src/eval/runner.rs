@@ -12,15 +12,6 @@ pub enum Outcome {
     Failed(Failure),
 }
 
-/// A test and how it ended.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct TestResult {
-    /// The test's index in [`Program::tests`].
-    pub test: usize,
-    /// How it ended.
-    pub outcome: Outcome,
-}
-
 /// Runs one test from reset, up to the first expectation that does not hold.
 pub fn run_test(program: &Program, test: &Test) -> Outcome {
     match run(program, &mut Evaluator::new(program), &test.statements) {
