@@ -13,7 +13,7 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("diagnostic", &["source"]),
     ("syntax", &["source", "diagnostic"]),
     ("circuit", &["index"]),
-    ("blocks", &["types", "circuit"]),
+    ("blocks", &["types", "quantity", "circuit"]),
     ("model", &["source", "types", "syntax", "blocks"]),
     ("check", &["source", "types", "quantity", "diagnostic", "syntax", "blocks", "model"]),
     ("lint", &["index", "source", "types", "diagnostic", "syntax", "blocks", "model"]),
