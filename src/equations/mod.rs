@@ -3,6 +3,7 @@
 //! themselves.
 
 mod lower;
+mod networks;
 
 use std::sync::Arc;
 
