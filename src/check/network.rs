@@ -240,6 +240,7 @@ impl<'s> Checker<'s> {
     ) -> Checked<Element> {
         let variable = match self.resolve(target)? {
             Resolved::Instance(instance) if action == ast::CoilAction::Reset => {
+                self.resettable(instance, span)?;
                 return Ok(Element::ResetInstance(instance));
             }
             resolved => self.writable(resolved, target)?,
@@ -265,6 +266,22 @@ impl<'s> Checker<'s> {
             ast::CoilAction::Fall => CoilAction::Edge(Edge::Fall, memory(self)),
         };
         Ok(Element::Coil { target: variable, action, span })
+    }
+
+    fn resettable(&mut self, instance: model::InstanceId, span: Span) -> Checked<()> {
+        let instance = &self.program.instances[instance];
+        let block = instance.shape.block;
+        if block.can_reset {
+            return Ok(());
+        }
+        let message = format!("the {} `{}` cannot be reset", block.title, instance.name);
+        let diagnostic = Diagnostic::new(code::MISPLACED, span, message)
+            .label("a reset of an off-delay timer")
+            .help(format!(
+                "to end the delay, assign the preset: {{ {0}.ACC := {0}.PRE }}",
+                instance.name
+            ));
+        Err(self.report(diagnostic))
     }
 
     fn assignment(
