@@ -67,7 +67,7 @@ fn with_inputs(names: &[&str]) -> String {
     let quoted: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
     format!(
         "ladder named  input {}  output y  rung {} (y)
-         test \"# todo \\ the expectation of 100% 'x'\" {} scan expect y {}",
+         test \"# todo \\ the expectation of 100% 'x'\" {} repeat 2 {{ repeat 2 {{ scan }} expect y {} }}",
         quoted.join(", "),
         quoted.join(" "),
         quoted.iter().map(|name| format!("{name} := 1 ")).collect::<String>(),
@@ -85,7 +85,16 @@ fn a_testbench_takes_every_name() {
         .iter()
         .flat_map(|text| text.split(|c| !is_word(c)))
         .filter(|word| word.starts_with(char::is_alphabetic))
-        .chain(["named_tb", "named_test", "named_expect", "expect_0", "expect_0_1", "y"])
+        .chain([
+            "round",
+            "round_2",
+            "named_tb",
+            "named_test",
+            "named_expect",
+            "expect_0",
+            "expect_0_1",
+            "y",
+        ])
         .collect();
     names.sort_unstable_by_key(|name| name.to_lowercase());
     names.dedup_by_key(|name| name.to_lowercase());
