@@ -1,6 +1,8 @@
 //! From a checked program and its circuit to files.
 
 pub mod hdl;
+#[cfg(feature = "cli")]
+mod vcd;
 
 use std::fmt;
 
@@ -11,6 +13,17 @@ use crate::quantity;
 use crate::source::Source;
 use hdl::testbench::{self, Shown};
 use hdl::{Board, Language, ResetStyle};
+
+#[cfg(feature = "cli")]
+pub use vcd::Vcd;
+
+/// How every value change dump of ours starts.
+const VCD_HEADER: &str = "$version\n    hotrail ";
+
+/// True if a text starts like a file that hotrail made.
+pub fn bears_header(text: &str) -> bool {
+    hdl::bears_header(text) || text.starts_with(VCD_HEADER)
+}
 
 /// One file, not yet written.
 #[derive(Clone, Debug, PartialEq, Eq)]

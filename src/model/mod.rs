@@ -47,6 +47,17 @@ impl Program {
         self.variables.iter().filter(move |(_, variable)| variable.role == role)
     }
 
+    /// Every variable that a user can name, in the order of declarations and calls.
+    pub fn named_variables(&self) -> impl Iterator<Item = (VariableId, &Variable)> {
+        self.variables.iter().filter(|(_, variable)| match variable.role {
+            Role::Member(instance, port) => {
+                self.instances[instance].block.ports[port].role.is_member()
+            }
+            Role::Input | Role::Output | Role::Local => true,
+            Role::EdgeMemory | Role::FirstScan => false,
+        })
+    }
+
     /// Keeps the tests that are wanted and numbers their expectations anew.
     pub fn retain_tests(&mut self, is_wanted: impl Fn(&Test) -> bool) {
         fn number(statements: &mut [Statement], next: &mut usize) {
