@@ -289,16 +289,23 @@ impl<'s> Checker<'s> {
                 }
                 ElementKind::Call(call) => {
                     self.declare_instance(call);
-                    call.arguments.iter().for_each(|argument| self.declare_misplaced(argument));
+                    for argument in &call.arguments {
+                        if let ast::ArgumentValue::Network(network) = &argument.value {
+                            self.declare_misplaced(network);
+                        }
+                    }
+                }
+                ElementKind::Net(net) => {
+                    net.connections.iter().for_each(|one| self.declare_misplaced(&one.network));
                 }
                 _ => {}
             }
         }
     }
 
-    /// A block in an argument is a mistake of its own; that nothing bears its name is not another.
-    fn declare_misplaced(&mut self, argument: &ast::Argument<'s>) {
-        let ast::ArgumentValue::Network(network) = &argument.value else { return };
+    /// A block in an argument or in a connection is a mistake of its own; that nothing bears its
+    /// name is not another.
+    fn declare_misplaced(&mut self, network: &Series<'s>) {
         for element in &network.elements {
             if let ElementKind::Call(call) = &element.kind {
                 // Were the name taken, that would be found again once the block stands elsewhere.

@@ -5,6 +5,7 @@ mod declare;
 mod expression;
 mod literal;
 mod names;
+mod net;
 mod network;
 mod number;
 mod reference;

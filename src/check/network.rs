@@ -15,6 +15,8 @@ pub(super) enum Place {
     Rung,
     /// An argument of a call: no outputs, no blocks.
     Argument,
+    /// A connection of a general network: only what conducts or not, whatever the power.
+    Connection,
     /// An expectation of a test: only what looks and keeps nothing.
     Expectation,
 }
@@ -113,13 +115,7 @@ impl<'s> Checker<'s> {
                 self.assignment(target, value, element.span)?
             }
             ElementKind::Call(call) => Element::Call(self.call(call)?),
-            ElementKind::Net(_) => {
-                let message = "general networks are not supported yet";
-                let diagnostic = Diagnostic::new(code::NOT_YET, element.span, message)
-                    .label("a network")
-                    .help("write the paths as the branches of a list");
-                return Err(self.report(diagnostic));
-            }
+            ElementKind::Net(net) => Element::Net(self.net(net, element.span)?),
         })
     }
 
@@ -140,7 +136,25 @@ impl<'s> Checker<'s> {
                 "name the contacts that must conduct, for instance: expect motor !lamp",
             ),
             (
-                ElementKind::Edge { .. } | ElementKind::OneShot(_) | ElementKind::Invert,
+                ElementKind::Coil { .. } | ElementKind::Assign { .. } | ElementKind::Call(_),
+                Place::Connection,
+            ) => (
+                "a connection cannot hold outputs and blocks",
+                "put it behind the network, or into a rung of its own",
+            ),
+            (ElementKind::OneShot(_) | ElementKind::Invert, Place::Connection) => (
+                "a connection conducts or not, whatever the power",
+                "use contacts, such as `!x` and `rise(x)`, or put it behind the network",
+            ),
+            (ElementKind::Net(_), Place::Connection) => (
+                "a network cannot stand in a connection",
+                "connect the inner nodes here, under names of their own",
+            ),
+            (
+                ElementKind::Edge { .. }
+                | ElementKind::OneShot(_)
+                | ElementKind::Invert
+                | ElementKind::Net(_),
                 Place::Expectation,
             ) => (
                 "an expectation looks at one moment only",

@@ -21,7 +21,7 @@ use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
-use hotrail::files::FileError;
+use hotrail::files::{self, FileError};
 
 use report::Report;
 
@@ -68,6 +68,10 @@ struct Style {
     /// How findings are written
     #[arg(long, value_enum, default_value_t = MessageFormat::Human, global = true)]
     message_format: MessageFormat,
+    /// Largest file that is read, in MiB
+    #[arg(long, value_name = "MIB", default_value_t = files::LARGEST_SOURCE >> 20, global = true,
+        value_parser = clap::value_parser!(u64).range(1..=1024))]
+    max_size: u64,
 }
 
 #[derive(ValueEnum, Clone, Copy, PartialEq, Eq)]

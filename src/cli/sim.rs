@@ -9,7 +9,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use hotrail::backend::Vcd;
 use hotrail::eval::{Evaluator, Machine, Stimulus};
-use hotrail::files::{self, NewFile};
+use hotrail::files::NewFile;
 use hotrail::lint;
 use hotrail::model::{Program, Role, VariableId};
 
@@ -103,7 +103,7 @@ pub fn read_stimulus(
     report: &mut Report,
 ) -> anyhow::Result<Option<Stimulus>> {
     let Some(file) = file else { return Ok(Some(Stimulus::default())) };
-    let source = files::read_source(file)?;
+    let source = report.read(file)?;
     match Stimulus::parse(program, &source) {
         Ok(stimulus) => Ok(Some(stimulus)),
         Err(findings) => {

@@ -38,9 +38,9 @@ pub fn lower_expectation(program: &Program, network: &Series) -> (Equations, Vec
     (lowering.equations, elements)
 }
 
-struct Lowering<'p> {
+pub(super) struct Lowering<'p> {
     program: &'p Program,
-    equations: Equations,
+    pub(super) equations: Equations,
     rung: u32,
     /// The newest write of each variable.
     writer: Vec<Option<StepId>>,
@@ -49,7 +49,7 @@ struct Lowering<'p> {
 }
 
 /// The power at a place, as factors that must all be 1; none means power 1.
-type Power = Vec<ExprId>;
+pub(super) type Power = Vec<ExprId>;
 
 impl<'p> Lowering<'p> {
     fn new(program: &'p Program) -> Self {
@@ -67,7 +67,7 @@ impl<'p> Lowering<'p> {
         self.equations.exprs.alloc(Expr { op, ty })
     }
 
-    fn constant(&mut self, value: bool) -> ExprId {
+    pub(super) fn constant(&mut self, value: bool) -> ExprId {
         self.add(ExprOp::Constant(value.into()), Type::Bool)
     }
 
@@ -83,7 +83,7 @@ impl<'p> Lowering<'p> {
     }
 
     /// One expression for the power.
-    fn all(&mut self, power: Power) -> ExprId {
+    pub(super) fn all(&mut self, power: Power) -> ExprId {
         match power.as_slice() {
             [] => self.constant(true),
             [one] => *one,
@@ -94,7 +94,7 @@ impl<'p> Lowering<'p> {
         }
     }
 
-    fn any(&mut self, branches: &[ExprId]) -> ExprId {
+    pub(super) fn any(&mut self, branches: &[ExprId]) -> ExprId {
         if let [one] = branches {
             return *one;
         }
@@ -128,7 +128,7 @@ impl<'p> Lowering<'p> {
         self.written(target, step);
     }
 
-    fn series(&mut self, series: &Series, power: Power) -> Power {
+    pub(super) fn series(&mut self, series: &Series, power: Power) -> Power {
         series.iter().fold(power, |power, element| self.element(element, power))
     }
 
@@ -183,6 +183,7 @@ impl<'p> Lowering<'p> {
                 let now = self.all(power);
                 power = vec![self.call(call, now)];
             }
+            Element::Net(net) => power.extend(self.net(net)),
         }
         power
     }
@@ -296,7 +297,8 @@ fn only_looks(series: &Series) -> bool {
         Element::Constant(_)
         | Element::Contact { .. }
         | Element::Edge { .. }
-        | Element::Compare(..) => true,
+        | Element::Compare(..)
+        | Element::Net(_) => true,
         Element::Parallel(branches) => branches.iter().all(only_looks),
         Element::OneShot { .. }
         | Element::Invert

@@ -3,6 +3,7 @@
 //! themselves.
 
 mod lower;
+mod networks;
 
 use la_arena::{Arena, Idx};
 

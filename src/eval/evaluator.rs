@@ -4,7 +4,7 @@
 use crate::blocks::Step;
 use crate::index::index;
 use crate::model::{
-    ArgumentValue, Call, CoilAction, Edge, Element, Expr, Program, Role, VariableId,
+    ArgumentValue, Call, CoilAction, Edge, Element, Expr, Net, Program, Role, VariableId,
 };
 
 /// A program that runs.
@@ -106,6 +106,30 @@ impl<'p> Evaluator<'p> {
                 power
             }
             Element::Call(call) => self.call(call, power),
+            Element::Net(net) => self.net(net) && power,
+        }
+    }
+
+    /// True if some path of connections conducts from the left end to the right one.
+    fn net(&mut self, net: &Net) -> bool {
+        let mut conducting = Vec::new();
+        for connection in &net.connections {
+            if self.series(&connection.network, true) {
+                conducting.push(connection);
+            }
+        }
+        let mut powered = vec![false; net.nodes.len()];
+        powered[Net::LEFT] = true;
+        loop {
+            let before = powered.clone();
+            for connection in &conducting {
+                let (from, to) = (connection.from, connection.to);
+                powered[to] |= powered[from];
+                powered[from] |= connection.both_ways && powered[to];
+            }
+            if powered == before {
+                return powered[Net::RIGHT];
+            }
         }
     }
 

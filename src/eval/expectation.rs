@@ -28,7 +28,8 @@ pub fn conducts(element: &Element, read: &impl Fn(VariableId) -> i64) -> bool {
         | Element::Coil { .. }
         | Element::ResetInstance(_)
         | Element::Assign { .. }
-        | Element::Call(_) => unreachable!("an expectation only looks"),
+        | Element::Call(_)
+        | Element::Net(_) => unreachable!("an expectation only looks"),
     }
 }
 
@@ -55,7 +56,8 @@ fn element_variables(element: &Element, all: &mut Vec<VariableId>) {
         | Element::Coil { .. }
         | Element::ResetInstance(_)
         | Element::Assign { .. }
-        | Element::Call(_) => unreachable!("an expectation only looks"),
+        | Element::Call(_)
+        | Element::Net(_) => unreachable!("an expectation only looks"),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::index::index;
 use crate::model::{
-    Argument, ArgumentValue, Call, CoilAction, Element, Expr, ExprKind, InstanceId, Program,
+    Argument, ArgumentValue, Call, CoilAction, Element, Expr, ExprKind, InstanceId, Net, Program,
     Relation, Series, Statement, VariableId,
 };
 use crate::source::Span;
@@ -62,6 +62,7 @@ pub(super) struct Index<'p> {
     pub writes: Vec<Write>,
     pub calls: Vec<&'p Call>,
     pub comparisons: Vec<Comparison<'p>>,
+    pub nets: Vec<&'p Net>,
     /// For each rung.
     pub sizes: Vec<Size>,
     /// For each variable, the number of its reads in rungs.
@@ -98,7 +99,7 @@ impl<'p> Index<'p> {
         tests.reads.iter().for_each(|read| read_by_tests[index(read.variable)] = true);
         let mut read_counts = vec![0; program.variables.len()];
         walk.reads.iter().for_each(|read| read_counts[index(read.variable)] += 1);
-        let Walk { reads, writes, calls, comparisons, reset, .. } = walk;
+        let Walk { reads, writes, calls, comparisons, nets, reset, .. } = walk;
         let mut call_of = vec![None; program.instances.len()];
         calls.iter().for_each(|&call| call_of[index(call.instance)] = Some(call));
         let mut writes_by_variable = writes.clone();
@@ -115,6 +116,7 @@ impl<'p> Index<'p> {
             writes,
             calls,
             comparisons,
+            nets,
             sizes,
             read_counts,
             rungs,
@@ -185,6 +187,7 @@ struct Walk<'p> {
     writes: Vec<Write>,
     calls: Vec<&'p Call>,
     comparisons: Vec<Comparison<'p>>,
+    nets: Vec<&'p Net>,
     reset: Vec<bool>,
 }
 
@@ -198,6 +201,7 @@ impl<'p> Walk<'p> {
             writes: Vec::new(),
             calls: Vec::new(),
             comparisons: Vec::new(),
+            nets: Vec::new(),
             reset: vec![false; program.instances.len()],
         }
     }
@@ -250,6 +254,12 @@ impl<'p> Walk<'p> {
                 self.write(*target, Writing::Assign, *span);
             }
             Element::Call(call) => self.call(call),
+            Element::Net(net) => {
+                self.size.elements -= 1;
+                self.nets.push(net);
+                let connections = &net.connections;
+                connections.iter().for_each(|one| self.series(&one.network, nesting + 1));
+            }
         }
     }
 

@@ -1,6 +1,7 @@
 //! The checked program: names resolved, types known, nothing left that a user could get wrong.
 
 mod expr;
+mod net;
 
 use std::sync::Arc;
 
@@ -12,6 +13,7 @@ use crate::types::Type;
 
 pub use crate::syntax::ast::Edge;
 pub use expr::{BinaryOp, Expr, ExprKind, Relation};
+pub use net::{Connection, Net, Node};
 
 /// One of a program's variables.
 pub type VariableId = Idx<Variable>;
@@ -245,6 +247,8 @@ pub enum Element {
     },
     /// Runs a block with the power as its main input; its main output goes on.
     Call(Call),
+    /// Lets the power pass where some path of connections conducts.
+    Net(Net),
 }
 
 /// What a coil writes.

@@ -21,6 +21,8 @@ struct Generator {
     /// Blocks still to be called.
     uncalled: Vec<Uncalled>,
     instances: Vec<String>,
+    /// What is made stands in a connection of a general network.
+    in_net: bool,
 }
 
 /// A block that is not called yet.
@@ -41,6 +43,7 @@ pub fn program(seed: u64) -> String {
         targets: Vec::new(),
         uncalled: Vec::new(),
         instances: Vec::new(),
+        in_net: false,
     };
     let mut text = format!("ladder random_{seed}\n");
     generator.declarations(&mut text);
@@ -169,8 +172,37 @@ impl Generator {
         list.join(" ")
     }
 
+    /// A general network, some of whose nodes may lead nowhere.
+    fn net(&mut self, depth: u32) -> String {
+        self.in_net = true;
+        let inner = self.random.usize(..5);
+        let mut nodes = vec!["left".to_owned()];
+        nodes.extend((0..inner).map(|node| format!("n{node}")));
+        nodes.push("right".to_owned());
+        // One path at least, then connections between any two nodes.
+        let through = self.random.usize(1..=inner + 1);
+        let mut ends: Vec<(usize, usize)> = (0..through)
+            .map(|node| (node, if node + 1 == through { inner + 1 } else { node + 1 }))
+            .collect();
+        for _ in 0..self.random.usize(..inner * 2 + 2) {
+            let from = self.random.usize(..nodes.len());
+            let to = (from + self.random.usize(1..nodes.len())) % nodes.len();
+            ends.push((from, to));
+        }
+        let mut text = "net {".to_owned();
+        self.random.shuffle(&mut ends);
+        for (from, to) in ends {
+            let arrow = self.pick(&["->", "<->"]);
+            let path = self.looks(depth);
+            write!(text, " {} {arrow} {} : {path}", nodes[from], nodes[to]).unwrap();
+        }
+        self.in_net = false;
+        text + " }"
+    }
+
     fn look(&mut self, depth: u32) -> String {
         match self.random.u32(..16) {
+            0 if depth > 0 && !self.in_net => self.net(depth - 1),
             0 => self.pick(&["TRUE", "FALSE"]).to_owned(),
             1..=2 => {
                 let bits: Vec<String> =
