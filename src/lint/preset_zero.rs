@@ -3,7 +3,7 @@
 use super::index::Index;
 use crate::blocks::PortRole;
 use crate::diagnostic::{Diagnostic, code};
-use crate::model::{ArgumentValue, ExprKind};
+use crate::model::{ArgumentValue, ExprKind, Instance};
 
 pub(super) fn check(index: &Index, found: &mut Vec<Diagnostic>) {
     for call in index.calls() {
@@ -26,7 +26,9 @@ pub(super) fn check(index: &Index, found: &mut Vec<Diagnostic>) {
                 {
                     (span, "nothing to wait for")
                 }
-                None if !is_assigned => (instance.span, "never given and never assigned"),
+                None if !is_assigned && !is_tally(index, instance) => {
+                    (instance.span, "never given and never assigned")
+                }
                 _ => continue,
             };
             let message = format!("the preset {} of `{}` is 0", port.name, instance.name);
@@ -37,4 +39,10 @@ pub(super) fn check(index: &Index, found: &mut Vec<Diagnostic>) {
             );
         }
     }
+}
+
+/// A counter whose count is read: without a preset it counts as well.
+fn is_tally(index: &Index, instance: &Instance) -> bool {
+    let ports = instance.shape.ports.iter().zip(&instance.members);
+    ports.filter(|(port, _)| port.name == "CV").any(|(_, &member)| index.is_read(member))
 }
