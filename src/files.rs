@@ -5,7 +5,7 @@ use std::fs;
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
-use crate::backend::{Artifact, hdl};
+use crate::backend::{self, Artifact};
 use crate::diagnostic::{Code, code};
 use crate::source::Source;
 
@@ -224,7 +224,7 @@ fn check_target(path: &Path, sources: &[PathBuf], force: bool) -> Result<(), Fil
     let file = fs::File::open(path);
     file.and_then(|file| file.take(512).read_to_end(&mut start))
         .map_err(|error| refuse(&error.to_string()))?;
-    if hdl::bears_header(&String::from_utf8_lossy(&start)) {
+    if backend::is_ours(&String::from_utf8_lossy(&start)) {
         return Ok(());
     }
     Err(refuse("is there and was not made by hotrail")

@@ -204,7 +204,7 @@ fn quoted(program: &Program, variable: &Variable) -> String {
     match variable.role {
         Role::Member(instance, port) => {
             let instance = &program.instances[instance];
-            format!("`{}`.{}", instance.name, instance.block.ports[port].name)
+            format!("`{}`.{}", instance.name, instance.shape.ports[port].name)
         }
         _ => format!("`{}`", variable.name),
     }
@@ -213,13 +213,7 @@ fn quoted(program: &Program, variable: &Variable) -> String {
 /// The program with a test that drives it at random and expects, after every scan, what the
 /// evaluator says.
 fn with_recorded_test(text: &str, program: &Program, random: &mut Rng) -> String {
-    let is_shown = |variable: &Variable| match variable.role {
-        Role::Output | Role::Local => true,
-        Role::Member(instance, port) => {
-            program.instances[instance].block.ports[port].role.is_member()
-        }
-        Role::Input | Role::EdgeMemory | Role::FirstScan => false,
-    };
+    let is_shown = |variable: &Variable| program.is_named(variable) && variable.role != Role::Input;
     let inputs: Vec<VariableId> = program.with_role(Role::Input).map(|(id, _)| id).collect();
     let mut evaluator = Evaluator::new(program);
     let mut text = format!("{text}test \"as recorded\"\n");

@@ -4,6 +4,7 @@ mod blocks;
 mod build;
 mod check;
 mod completions;
+mod draw;
 mod explain;
 mod fmt;
 mod lints;
@@ -40,6 +41,7 @@ const EXAMPLES: &str = "Examples:
   hotrail check conveyor.ladder
   hotrail test conveyor.ladder
   hotrail fmt conveyor.ladder
+  hotrail draw conveyor.ladder
   hotrail build conveyor.ladder -o out --emit verilog,vhdl";
 
 #[derive(Subcommand)]
@@ -49,6 +51,7 @@ enum Command {
     Build(build::Options),
     Test(test::Options),
     Fmt(fmt::Options),
+    Draw(draw::Options),
     Explain(explain::Options),
     Blocks(blocks::Options),
     Completions(completions::Options),
@@ -134,6 +137,7 @@ pub fn run() -> ExitCode {
         Command::Build(options) => build::run(&options, &mut report),
         Command::Test(options) => test::run(&options, &mut report),
         Command::Fmt(options) => fmt::run(&options, &mut report),
+        Command::Draw(options) => draw::run(&options, &mut report),
         Command::Explain(options) => return exit_code(explain::run(&options)),
         Command::Blocks(options) => return exit_code(blocks::run(&options)),
         Command::Completions(options) => return exit_code(completions::run(&options)),

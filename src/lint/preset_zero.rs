@@ -5,19 +5,21 @@ use crate::blocks::PortRole;
 use crate::diagnostic::{Diagnostic, code};
 use crate::model::{ArgumentValue, ExprKind, Instance};
 
-/// What the standards call the value at which a block has done its work.
-const PRESETS: &[&str] = &["PT", "PV", "PRE"];
-
 pub(super) fn check(index: &Index, found: &mut Vec<Diagnostic>) {
-    for call in &index.calls {
+    for call in index.calls() {
         let instance = &index.program.instances[call.instance];
-        for (number, port) in instance.block.ports.iter().enumerate() {
-            let is_preset = matches!(port.role, PortRole::Preset { .. });
-            if !is_preset || !PRESETS.contains(&port.name) {
-                continue;
-            }
+        for (number, port) in instance.shape.ports.iter().enumerate() {
+            // A start that is 0 counts only if it stays.
+            let stays_given = match port.role {
+                PortRole::Preset { .. } => true,
+                PortRole::Loaded { .. } => false,
+                _ => continue,
+            };
             let argument = index.argument(call.instance, number);
             let is_assigned = !index.writes_of(instance.members[number]).is_empty();
+            if is_assigned && !stays_given {
+                continue;
+            }
             let (span, label) = match argument.map(|argument| (&argument.value, argument.span)) {
                 Some((ArgumentValue::Value(expr), span))
                     if matches!(expr.kind, ExprKind::Constant(0)) =>
