@@ -7,9 +7,7 @@ use crate::model::{
     self, CoilAction, Element, Expr, ExprKind, Relation, Role, Variable, VariableId,
 };
 use crate::source::Span;
-use crate::syntax::ast::{
-    self, BinaryOperator, Edge, ElementKind, Expr, ExprKind, Reference, Rung, Series,
-};
+use crate::syntax::ast::{self, BinaryOperator, Edge, ElementKind, Reference, Rung, Series};
 use crate::types::Type;
 
 /// Where a network stands, which decides what may stand in it.
@@ -403,10 +401,10 @@ fn has_output(series: &Series<'_>) -> bool {
 }
 
 /// The name at the left of a comparison that starts as an assignment would, but for its `:`.
-fn assigned<'s>(expr: &Expr<'s>) -> Option<&'s str> {
-    let ExprKind::Binary(operator, left, _) = &expr.kind else { return None };
+fn assigned<'s>(expr: &ast::Expr<'s>) -> Option<&'s str> {
+    let ast::ExprKind::Binary(operator, left, _) = &expr.kind else { return None };
     match (&left.kind, operator) {
-        (ExprKind::Reference(target), BinaryOperator::Equal) => Some(target.name.text),
+        (ast::ExprKind::Reference(target), BinaryOperator::Equal) => Some(target.name.text),
         _ => assigned(left),
     }
 }
