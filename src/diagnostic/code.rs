@@ -169,6 +169,7 @@ codes! {
     Note W0307 DEEP_RUNG "a rung has lists nested very deep"
     Warning W0308 NO_RUNGS "the program has no rungs"
     Warning W0309 DEAD_END "a part of a network never carries power to the right"
+    Warning W0310 AT_RAIL "a `not` or a one-shot stands where the power is always on"
     // Blocks
     Warning W0401 PRESET_ZERO "the preset of a timer or counter is 0"
     Warning W0402 NEVER_RESET "nothing resets a counter or retentive timer"
