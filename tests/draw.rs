@@ -1,8 +1,8 @@
 //! Drawings: they show the whole program, they are what the program means, and they fit.
 
-mod common;
 #[path = "draw/circuit.rs"]
 mod circuit;
+mod common;
 
 use std::collections::HashMap;
 
@@ -31,7 +31,7 @@ fn for_all(mut check: impl FnMut(&str, &Program, &Drawing)) {
         .map(|example| (example.name(), std::fs::read_to_string(&example.ladder).unwrap()))
         .collect();
     programs.push(("every_shape".to_owned(), EVERY_SHAPE.to_owned()));
-    let seeds = amount("HOTRAIL_RANDOM_PROGRAMS", 1000);
+    let seeds = amount("HOTRAIL_RANDOM_PROGRAMS", 1000) / 10;
     programs.extend((0..seeds).map(|seed| (format!("seed {seed}"), generate::program(seed))));
     for (index, (name, text)) in programs.iter().enumerate() {
         let widths = [NARROWEST, 81 + index % 40, 250];
@@ -165,6 +165,7 @@ impl Meant<'_> {
                 Some(_) => Effect::Gives(random),
                 None => Effect::Passes(true),
             },
+            Element::Net(_) => Effect::Gives(random),
             _ => Effect::Passes(true),
         });
         self.powers.push((power, 0));
@@ -173,6 +174,12 @@ impl Meant<'_> {
                 .iter()
                 .map(|branch| self.series(branch, power))
                 .fold(false, |any, power| any | power),
+            Element::Net(net) => {
+                for connection in &net.connections {
+                    self.series(&connection.network, true);
+                }
+                self.leaves(number, power)
+            }
             Element::Call(call) => {
                 for argument in &call.arguments {
                     if let ArgumentValue::Network(network) = &argument.value {
@@ -206,8 +213,7 @@ fn a_drawing_means_what_the_program_means() {
             let circuit = Circuit::of(drawing, drawn);
             for seed in 0..4 {
                 let random = Rng::with_seed(seed);
-                let mut meant =
-                    Meant { program, random, effects: Vec::new(), powers: Vec::new() };
+                let mut meant = Meant { program, random, effects: Vec::new(), powers: Vec::new() };
                 meant.series(&rung.network, true);
                 assert_eq!(drawn.elements as usize, meant.effects.len(), "{name}");
                 let effect = |element: ElementId| match meant.effects[element as usize] {
@@ -241,6 +247,9 @@ fn count_model(series: &Series, count: &mut Count) {
             Element::OneShot { .. } | Element::Invert => count.operators += 1,
             Element::Parallel(branches) => {
                 branches.iter().for_each(|branch| count_model(branch, count));
+            }
+            Element::Net(net) => {
+                net.connections.iter().for_each(|c| count_model(&c.network, count));
             }
             Element::Call(call) => {
                 for argument in &call.arguments {
@@ -294,9 +303,12 @@ fn a_hostile_text_stays_text() {
 fn a_drawing_grows_with_the_program() {
     let program = |rungs: usize| {
         let rung = "rung go [ a | c.Q ] (S m) { n := n + 1 } u:R_TRIG() (R u)\n";
-        let rungs: String =
-            (0..rungs).map(|number| rung.replace("u:", &format!("u{number}:")).replace("(R u)", "")).collect();
-        format!("ladder large input go, a output m var n : INT\nrung go c:TON(PT := 5s) (m)\n{rungs}")
+        let rungs: String = (0..rungs)
+            .map(|number| rung.replace("u:", &format!("u{number}:")).replace("(R u)", ""))
+            .collect();
+        format!(
+            "ladder large input go, a output m var n : INT\nrung go c:TON(PT := 5s) (m)\n{rungs}"
+        )
     };
     let length = |rungs: usize| {
         let (_, drawing) = drawing("large.ladder", &program(rungs), 100);
