@@ -161,7 +161,7 @@ impl Meant<'_> {
             | Element::OneShot { .. }
             | Element::Compare(..) => Effect::Passes(random),
             Element::Invert => Effect::Inverts,
-            Element::Call(call) => match self.program.instances[call.instance].block.main {
+            Element::Call(call) => match self.program.instances[call.instance].shape.block.main {
                 Some(_) => Effect::Gives(random),
                 None => Effect::Passes(true),
             },

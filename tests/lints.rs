@@ -107,6 +107,11 @@ fn a_preset_may_be_assigned_or_a_variable() {
     assert_eq!(preset("t:TON()", "rung b { t.PT := 5s }"), "");
     assert_eq!(preset("t:TON(PT := p)", "var p : TIME\nrung b { p := 5s }"), "");
     assert_eq!(preset("t:TON(PT := P)", "const P := 0s"), "W0401 PT := P");
+    // A counter that is there for its count needs none.
+    let count = "output n : INT\nrung { n := c.CV }";
+    assert_eq!(preset("c:CTU(R := b)", count), "");
+    assert_eq!(preset("c:CTU(R := b)", ""), "W0401 c");
+    assert_eq!(preset("c:CTU(R := b, PV := 0)", count), "W0401 PV := 0");
 }
 
 #[test]
