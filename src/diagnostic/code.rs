@@ -145,6 +145,10 @@ codes! {
     Error E0601 CANNOT_READ "a file cannot be read"
     Error E0602 CANNOT_WRITE "a file cannot be written"
     Error E0603 SAME_NAME "two programs would write the same file"
+    // The ladder processor
+    Error E0701 NOT_ON_PROCESSOR "the ladder processor cannot do this"
+    Error E0702 PROCESSOR_FULL "the ladder processor has no room for this"
+    Error E0703 BAD_IMAGE "a file is no image that the ladder processor can run"
 
     // Allowing
     Warning W0001 BAD_ALLOW "an allow names nothing that can be allowed"

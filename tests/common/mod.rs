@@ -6,6 +6,7 @@ pub mod designs;
 pub mod generate;
 pub mod interpreter;
 pub mod proof;
+pub mod relay;
 pub mod shrink;
 
 use std::path::{Path, PathBuf};
