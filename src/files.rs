@@ -5,11 +5,11 @@ use std::fs;
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
-use crate::backend::{Artifact, hdl};
+use crate::backend::{self, Artifact};
 use crate::diagnostic::{Code, code};
 use crate::source::Source;
 
-/// Largest source that is read, in bytes.
+/// Largest source that is read unless asked otherwise, in bytes.
 pub const LARGEST_SOURCE: u64 = 64 << 20;
 
 /// What went wrong with a file.
@@ -47,11 +47,19 @@ impl std::fmt::Display for FileError {
 
 impl std::error::Error for FileError {}
 
-/// Reads a source; `-` is standard input.
+/// Reads a source of at most [`LARGEST_SOURCE`]; `-` is standard input.
 ///
 /// # Errors
 /// If it cannot be read, is too large or is no UTF-8 text.
 pub fn read_source(path: &Path) -> Result<Source, FileError> {
+    read_source_up_to(path, LARGEST_SOURCE)
+}
+
+/// Reads a source of at most so many bytes; `-` is standard input.
+///
+/// # Errors
+/// If it cannot be read, is too large or is no UTF-8 text.
+pub fn read_source_up_to(path: &Path, largest: u64) -> Result<Source, FileError> {
     let fail = |problem: String| FileError::new(code::CANNOT_READ, path, problem);
     let from_stdin = path.as_os_str() == "-";
     let open = || -> io::Result<Box<dyn io::Read>> {
@@ -59,11 +67,11 @@ pub fn read_source(path: &Path) -> Result<Source, FileError> {
     };
     let mut bytes = Vec::new();
     open()
-        .and_then(|file| file.take(LARGEST_SOURCE + 1).read_to_end(&mut bytes))
+        .and_then(|file| file.take(largest + 1).read_to_end(&mut bytes))
         .map_err(|error| fail(error.to_string()))?;
-    if bytes.len() as u64 > LARGEST_SOURCE {
-        return Err(fail(format!("larger than {} MiB", LARGEST_SOURCE >> 20))
-            .help("split the program into several"));
+    if bytes.len() as u64 > largest {
+        return Err(fail(format!("larger than {} MiB", largest >> 20))
+            .help("split the program into several, or allow more with --max-size"));
     }
     let name = if from_stdin { "<stdin>".to_owned() } else { path.display().to_string() };
     match String::from_utf8(bytes) {
@@ -216,7 +224,7 @@ fn check_target(path: &Path, sources: &[PathBuf], force: bool) -> Result<(), Fil
     let file = fs::File::open(path);
     file.and_then(|file| file.take(512).read_to_end(&mut start))
         .map_err(|error| refuse(&error.to_string()))?;
-    if hdl::bears_header(&String::from_utf8_lossy(&start)) {
+    if backend::is_ours(&String::from_utf8_lossy(&start)) {
         return Ok(());
     }
     Err(refuse("is there and was not made by hotrail")

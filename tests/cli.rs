@@ -67,6 +67,26 @@ fn exit_codes_tell_success_fault_and_wrong_use() {
 }
 
 #[test]
+fn a_file_larger_than_allowed_is_one_finding_in_every_form() {
+    let folder = Folder::new();
+    folder.write("large.ladder", &format!("{GOOD}{}", " ".repeat(1 << 20)));
+    let form = |form| {
+        let run =
+            folder.run(&["check", "large.ladder", "--max-size", "1", "--message-format", form]);
+        assert_eq!(run.code, 1);
+        run.err
+    };
+    assert!(form("human").contains("--max-size"), "{}", form("human"));
+    assert_eq!(form("short"), "large.ladder: error[E0601]: larger than 1 MiB\n");
+    let found: serde_json::Value = serde_json::from_str(&form("json")).unwrap();
+    assert_eq!(found["code"], "E0601");
+    assert_eq!(found["file"], "large.ladder");
+    assert!(found["primary"].is_null());
+    assert_eq!(folder.run(&["check", "large.ladder", "--max-size", "2"]).code, 0);
+    assert_eq!(folder.run(&["check", "large.ladder", "--max-size", "0"]).code, 2);
+}
+
+#[test]
 fn findings_have_three_forms() {
     let folder = Folder::new();
     folder.write("bad.ladder", "ladder bad\noutput y\nrung nobody (y)\n");

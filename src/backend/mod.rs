@@ -6,6 +6,7 @@ pub mod processor;
 use std::fmt;
 
 use crate::circuit::{Design, Valid};
+use crate::draw::{self, Drawing};
 use crate::expand;
 use crate::model::{Program, Role, VariableId};
 use crate::quantity;
@@ -34,6 +35,8 @@ pub enum Emit {
     Testbench,
     /// A top around it for a board: `NAME_top.v`, `NAME_top.vhd`.
     Wrapper,
+    /// The ladder as a picture: `NAME.svg`.
+    Svg,
 }
 
 /// How a program is built.
@@ -116,6 +119,9 @@ impl<'a> Unit<'a> {
                 artifacts.push(self.wrapper(language));
             }
         }
+        if kinds.contains(&Emit::Svg) {
+            artifacts.push(drawing(&Drawing::new(self.source, &draw::Options::default())));
+        }
         artifacts
     }
 
@@ -139,6 +145,17 @@ impl<'a> Unit<'a> {
         let file_name = format!("{}{suffix}.{}", self.program.name, language.extension());
         Artifact { file_name, text }
     }
+}
+
+/// A ladder as an SVG picture: `NAME.svg`.
+pub fn drawing(drawing: &Drawing) -> Artifact {
+    Artifact { file_name: format!("{}.svg", drawing.name), text: drawing.svg() }
+}
+
+/// True if a file begins like one that hotrail writes, whatever the version and the language: it
+/// is ours and may be overwritten.
+pub fn is_ours(start: &str) -> bool {
+    hdl::bears_header(start) || draw::bears_header(start)
 }
 
 fn observed(program: &Program, names: &[String]) -> Result<Vec<VariableId>, BadOption> {

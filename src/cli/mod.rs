@@ -4,6 +4,7 @@ mod blocks;
 mod build;
 mod check;
 mod completions;
+mod draw;
 mod explain;
 mod fmt;
 mod lints;
@@ -18,7 +19,7 @@ use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
-use hotrail::files::FileError;
+use hotrail::files::{self, FileError};
 
 use report::Report;
 
@@ -40,6 +41,7 @@ const EXAMPLES: &str = "Examples:
   hotrail check conveyor.ladder
   hotrail test conveyor.ladder
   hotrail fmt conveyor.ladder
+  hotrail draw conveyor.ladder
   hotrail build conveyor.ladder -o out --emit verilog,vhdl";
 
 #[derive(Subcommand)]
@@ -49,6 +51,7 @@ enum Command {
     Build(build::Options),
     Test(test::Options),
     Fmt(fmt::Options),
+    Draw(draw::Options),
     Explain(explain::Options),
     Blocks(blocks::Options),
     Completions(completions::Options),
@@ -63,6 +66,10 @@ struct Style {
     /// How findings are written
     #[arg(long, value_enum, default_value_t = MessageFormat::Human, global = true)]
     message_format: MessageFormat,
+    /// Largest file that is read, in MiB
+    #[arg(long, value_name = "MIB", default_value_t = files::LARGEST_SOURCE >> 20, global = true,
+        value_parser = clap::value_parser!(u64).range(1..=1024))]
+    max_size: u64,
 }
 
 #[derive(ValueEnum, Clone, Copy, PartialEq, Eq)]
@@ -130,6 +137,7 @@ pub fn run() -> ExitCode {
         Command::Build(options) => build::run(&options, &mut report),
         Command::Test(options) => test::run(&options, &mut report),
         Command::Fmt(options) => fmt::run(&options, &mut report),
+        Command::Draw(options) => draw::run(&options, &mut report),
         Command::Explain(options) => return exit_code(explain::run(&options)),
         Command::Blocks(options) => return exit_code(blocks::run(&options)),
         Command::Completions(options) => return exit_code(completions::run(&options)),

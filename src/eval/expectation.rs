@@ -36,7 +36,8 @@ fn element_variables(element: &Element, all: &mut Vec<VariableId>) {
         | Element::Coil { .. }
         | Element::ResetInstance(_)
         | Element::Assign { .. }
-        | Element::Call(_) => unreachable!("an expectation only looks"),
+        | Element::Call(_)
+        | Element::Net(_) => unreachable!("an expectation only looks"),
     }
 }
 
