@@ -4,14 +4,18 @@
 //! between here and its use writes what it looks at. Where something does, or where it is needed
 //! more than once, it goes into a flag.
 
+use std::collections::HashSet;
+
 use super::encode::fit;
 use super::layout::{Layout, full};
 use super::rom::Rom;
 use super::tree::{Contact, Tree};
+use super::usage;
 use super::word::{Address, CODE_WORDS, Operation, Prefix, Word};
 use crate::diagnostic::{Diagnostic, code};
 use crate::model::{CoilAction, Edge, Element, InstanceId, Program, Role, VariableId};
 use crate::source::Span;
+use crate::types::Type;
 
 /// A program on the processor.
 #[derive(Clone, Debug)]
@@ -29,9 +33,23 @@ pub struct Image {
 /// # Errors
 /// Everything in it that the processor cannot do, in the order of the text.
 pub fn compile(program: &Program) -> Result<Image, Vec<Diagnostic>> {
+    compile_observing(program, &[])
+}
+
+/// The same with members in the image that no rung reads.
+///
+/// # Errors
+/// Everything in it that the processor cannot do, in the order of the text.
+pub fn compile_observing(
+    program: &Program,
+    observed: &[VariableId],
+) -> Result<Image, Vec<Diagnostic>> {
     let layout = Layout::new(program).map_err(|diagnostic| vec![*diagnostic])?;
+    let mut named = usage::named(program);
+    named.extend(observed);
     let mut compiler = Compiler {
         program,
+        named,
         layout,
         rom: Rom { tick_ns: program.tick_ns, ..Rom::default() },
         rungs: Vec::new(),
@@ -72,6 +90,8 @@ pub(super) type Done<T> = Result<T, Reported>;
 
 pub(super) struct Compiler<'p> {
     pub program: &'p Program,
+    /// What the rungs name, and what is to be seen besides.
+    pub named: HashSet<VariableId>,
     pub layout: Layout,
     pub rom: Rom,
     rungs: Vec<Option<usize>>,
@@ -203,6 +223,14 @@ impl Compiler<'_> {
         Ok(Contact { address: coil, negated: false })
     }
 
+    /// What conducts where a tree does not.
+    pub(super) fn inverted(&mut self, tree: &Tree) -> Done<Tree> {
+        match tree.inverted() {
+            Some(inverted) => Ok(inverted),
+            None => Ok(Tree::off(self.into_flag(tree)?.address)),
+        }
+    }
+
     /// The power as a drawing.
     pub(super) fn drawn(&mut self, power: Power) -> Done<Tree> {
         match power {
@@ -264,14 +292,7 @@ impl Compiler<'_> {
                 }
                 power => {
                     let tree = self.drawn(power)?;
-                    let inverted = match tree.inverted() {
-                        Some(inverted) => inverted,
-                        None => {
-                            let flag = self.into_flag(&tree)?;
-                            Tree::off(flag.address)
-                        }
-                    };
-                    Ok(Power::Drawn(inverted))
+                    self.inverted(&tree).map(Power::Drawn)
                 }
             },
             Element::Coil { target, action, .. } => self.coil(*target, *action, power),
@@ -281,6 +302,7 @@ impl Compiler<'_> {
             Element::Constant(_)
             | Element::Contact { .. }
             | Element::Edge { .. }
+            | Element::Net(_)
             | Element::Compare(..) => unreachable!("they are contacts"),
         }
     }
@@ -308,6 +330,7 @@ impl Compiler<'_> {
                 Ok(Tree::parallel(list))
             }
             Element::Compare(expr, span) => self.condition(expr, *span),
+            Element::Net(net) => self.net(net),
             _ => unreachable!("it only looks"),
         }
     }
@@ -331,6 +354,27 @@ impl Compiler<'_> {
             Role::Member(..) => Reported,
             _ => self.cannot(span, "this contact", format!("`{name}` has no image address")),
         })
+    }
+
+    /// The register of a number that the program does not change: it has its initial value, or an
+    /// input's, which the host writes.
+    pub(super) fn number(&mut self, variable: VariableId, span: Span) -> Done<u16> {
+        if let Some(register) = self.layout.register(variable) {
+            return Ok(register);
+        }
+        let declared = &self.program.variables[variable];
+        let (name, initial) = (declared.name.to_string(), declared.ty.bits(declared.initial));
+        if declared.ty != Type::Int {
+            let label = format!("`{name}` is {}", declared.ty);
+            return Err(self.cannot(span, "such a preset", label));
+        }
+        let register = self.layout.presets(&[name], span);
+        let register = self.limit(register)?;
+        self.layout.place(variable, register);
+        if initial != 0 {
+            self.rom.registers.insert(register, initial as u16);
+        }
+        Ok(register)
     }
 
     /// Branches with outputs in them: each is worked out in its turn.
@@ -386,6 +430,7 @@ impl Compiler<'_> {
             | Element::Edge { .. }
             | Element::OneShot { .. }
             | Element::Invert
+            | Element::Net(_)
             | Element::Compare(..) => {}
         }
     }
@@ -458,6 +503,7 @@ pub(super) fn is_contacts(element: &Element) -> bool {
         Element::Constant(_)
         | Element::Contact { .. }
         | Element::Edge { .. }
+        | Element::Net(_)
         | Element::Compare(..) => true,
         Element::Parallel(branches) => branches.iter().flatten().all(is_contacts),
         Element::OneShot { .. }

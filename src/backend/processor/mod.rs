@@ -9,11 +9,13 @@ mod emulator;
 mod encode;
 mod function;
 mod layout;
+mod net;
 mod rom;
 mod tree;
+mod usage;
 mod word;
 
-pub use compile::{Image, compile};
+pub use compile::{Image, compile, compile_observing};
 pub use decode::decode;
 pub use emulator::{CLOCKS_AROUND, Machine, PowerCircuit};
 pub use encode::{Fitted, encode, fit};
