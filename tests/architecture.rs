@@ -19,7 +19,7 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("check", &["source", "types", "quantity", "diagnostic", "syntax", "blocks", "model"]),
     ("lint", &["index", "source", "types", "diagnostic", "syntax", "blocks", "model"]),
     ("equations", &["index", "types", "blocks", "model"]),
-    ("eval", &["index", "source", "types", "blocks", "model"]),
+    ("eval", &["index", "source", "types", "quantity", "diagnostic", "blocks", "model"]),
     ("expand", &["index", "types", "circuit", "blocks", "model", "equations"]),
     (
         "backend",
@@ -67,13 +67,16 @@ const FENCED: &[(&str, &[&str])] = &[
     ("askama::", &["backend/", "draw/svg.rs"]),
     ("annotate_snippets::", &["diagnostic/"]),
     ("serde::", &["diagnostic/"]),
-    ("serde_json::", &["diagnostic/"]),
+    ("serde_json::", &["diagnostic/", "eval/stimulus/", "cli/"]),
     ("strsim::", &["diagnostic/"]),
     ("clap::", &["cli/"]),
     ("clap_complete::", &["cli/"]),
     ("anyhow::", &["cli/"]),
     ("similar::", &["cli/"]),
     ("unicode_width::", &["draw/"]),
+    ("csv::", &["eval/stimulus/", "cli/"]),
+    ("vcd::", &["backend/"]),
+    ("indicatif::", &["cli/"]),
     ("tempfile::", &["files.rs", "cli/"]),
     ("std::fs", &["files.rs", "cli/"]),
     ("std::io", &["files.rs", "cli/"]),
@@ -275,7 +278,7 @@ fn the_library_does_without_the_command_line() {
     assert!(!lib.code.iter().any(|line| line.contains("mod cli")));
     let manifest = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml"));
     let manifest = manifest.unwrap();
-    for name in ["anyhow", "clap", "similar"] {
+    for name in ["anyhow", "clap", "csv", "indicatif", "similar", "vcd"] {
         let line = manifest.lines().find(|line| line.starts_with(&format!("{name} = ")));
         assert!(line.is_some_and(|line| line.contains("optional = true")), "{name}");
     }

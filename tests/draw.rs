@@ -1,8 +1,8 @@
 //! Drawings: they show the whole program, they are what the program means, and they fit.
 
-mod common;
 #[path = "draw/circuit.rs"]
 mod circuit;
+mod common;
 
 use std::collections::HashMap;
 
@@ -161,7 +161,7 @@ impl Meant<'_> {
             | Element::OneShot { .. }
             | Element::Compare(..) => Effect::Passes(random),
             Element::Invert => Effect::Inverts,
-            Element::Call(call) => match self.program.instances[call.instance].block.main {
+            Element::Call(call) => match self.program.instances[call.instance].shape.block.main {
                 Some(_) => Effect::Gives(random),
                 None => Effect::Passes(true),
             },
@@ -206,8 +206,7 @@ fn a_drawing_means_what_the_program_means() {
             let circuit = Circuit::of(drawing, drawn);
             for seed in 0..4 {
                 let random = Rng::with_seed(seed);
-                let mut meant =
-                    Meant { program, random, effects: Vec::new(), powers: Vec::new() };
+                let mut meant = Meant { program, random, effects: Vec::new(), powers: Vec::new() };
                 meant.series(&rung.network, true);
                 assert_eq!(drawn.elements as usize, meant.effects.len(), "{name}");
                 let effect = |element: ElementId| match meant.effects[element as usize] {
@@ -294,9 +293,12 @@ fn a_hostile_text_stays_text() {
 fn a_drawing_grows_with_the_program() {
     let program = |rungs: usize| {
         let rung = "rung go [ a | c.Q ] (S m) { n := n + 1 } u:R_TRIG() (R u)\n";
-        let rungs: String =
-            (0..rungs).map(|number| rung.replace("u:", &format!("u{number}:")).replace("(R u)", "")).collect();
-        format!("ladder large input go, a output m var n : INT\nrung go c:TON(PT := 5s) (m)\n{rungs}")
+        let rungs: String = (0..rungs)
+            .map(|number| rung.replace("u:", &format!("u{number}:")).replace("(R u)", ""))
+            .collect();
+        format!(
+            "ladder large input go, a output m var n : INT\nrung go c:TON(PT := 5s) (m)\n{rungs}"
+        )
     };
     let length = |rungs: usize| {
         let (_, drawing) = drawing("large.ladder", &program(rungs), 100);

@@ -2,6 +2,8 @@
 
 pub mod hdl;
 pub mod processor;
+#[cfg(feature = "cli")]
+mod vcd;
 
 use std::fmt;
 
@@ -13,6 +15,18 @@ use crate::quantity;
 use crate::source::Source;
 use hdl::testbench::{self, Shown};
 use hdl::{Board, Language, ResetStyle};
+
+#[cfg(feature = "cli")]
+pub use vcd::Vcd;
+
+/// How every value change dump of ours starts.
+const VCD_HEADER: &str = "$version\n    hotrail ";
+
+/// True if a text starts like a file that hotrail made, whatever the version and the language: it
+/// may be overwritten.
+pub fn bears_header(text: &str) -> bool {
+    hdl::bears_header(text) || draw::bears_header(text) || text.starts_with(VCD_HEADER)
+}
 
 /// One file, not yet written.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -150,12 +164,6 @@ impl<'a> Unit<'a> {
 /// A ladder as an SVG picture: `NAME.svg`.
 pub fn drawing(drawing: &Drawing) -> Artifact {
     Artifact { file_name: format!("{}.svg", drawing.name), text: drawing.svg() }
-}
-
-/// True if a file begins like one that hotrail writes, whatever the version and the language: it
-/// is ours and may be overwritten.
-pub fn is_ours(start: &str) -> bool {
-    hdl::bears_header(start) || draw::bears_header(start)
 }
 
 fn observed(program: &Program, names: &[String]) -> Result<Vec<VariableId>, BadOption> {

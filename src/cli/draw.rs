@@ -88,7 +88,8 @@ pub fn run(options: &Options, report: &mut Report) -> anyhow::Result<Verdict> {
         report.result(&texts.join("\n"));
         return Ok(Verdict::Good);
     }
-    let made = drawings.iter().map(|(path, drawing)| (path.clone(), vec![backend::drawing(drawing)]));
+    let made =
+        drawings.iter().map(|(path, drawing)| (path.clone(), vec![backend::drawing(drawing)]));
     let made: Vec<(PathBuf, Vec<Artifact>)> = made.collect();
     let clashes = files::shared_names(&made);
     clashes.iter().for_each(|error| report.file_error(error));

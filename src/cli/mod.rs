@@ -5,12 +5,15 @@ mod build;
 mod check;
 mod completions;
 mod draw;
+mod dump;
 mod explain;
 mod fmt;
 mod lints;
 mod new;
 mod report;
+mod sim;
 mod simulators;
+mod table;
 mod test;
 
 use std::io::IsTerminal;
@@ -40,6 +43,7 @@ const EXAMPLES: &str = "Examples:
   hotrail new conveyor
   hotrail check conveyor.ladder
   hotrail test conveyor.ladder
+  hotrail sim conveyor.ladder stimulus.csv --vcd conveyor.vcd
   hotrail fmt conveyor.ladder
   hotrail draw conveyor.ladder
   hotrail build conveyor.ladder -o out --emit verilog,vhdl";
@@ -50,6 +54,7 @@ enum Command {
     Check(check::Options),
     Build(build::Options),
     Test(test::Options),
+    Sim(sim::Options),
     Fmt(fmt::Options),
     Draw(draw::Options),
     Explain(explain::Options),
@@ -117,6 +122,16 @@ struct Sources {
     files: Vec<PathBuf>,
 }
 
+/// The names of a list separated by commas, which may stand in back-ticks and hold commas then.
+fn split_names(list: &str) -> Vec<String> {
+    let mut quoted = false;
+    let names = list.split(|c: char| {
+        quoted ^= c == '`';
+        c == ',' && !quoted
+    });
+    names.map(str::to_owned).collect()
+}
+
 /// What a command found out.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Verdict {
@@ -136,6 +151,7 @@ pub fn run() -> ExitCode {
         Command::Check(options) => check::run(&options, &mut report),
         Command::Build(options) => build::run(&options, &mut report),
         Command::Test(options) => test::run(&options, &mut report),
+        Command::Sim(options) => sim::run(&options, &mut report),
         Command::Fmt(options) => fmt::run(&options, &mut report),
         Command::Draw(options) => draw::run(&options, &mut report),
         Command::Explain(options) => return exit_code(explain::run(&options)),

@@ -146,10 +146,14 @@ codes! {
     Error E0601 CANNOT_READ "a file cannot be read"
     Error E0602 CANNOT_WRITE "a file cannot be written"
     Error E0603 SAME_NAME "two programs would write the same file"
+    // Stimuli
+    Error E0701 BAD_STIMULUS "a stimulus is no table of inputs and scans"
+    Error E0702 BAD_COLUMN "a column of a stimulus is no input"
+    Error E0703 BAD_CELL "a value of a stimulus does not fit its input"
     // The ladder processor
-    Error E0701 NOT_ON_PROCESSOR "the ladder processor cannot do this"
-    Error E0702 PROCESSOR_FULL "the ladder processor has no room for this"
-    Error E0703 BAD_IMAGE "a file is no image that the ladder processor can run"
+    Error E0801 NOT_ON_PROCESSOR "the ladder processor cannot do this"
+    Error E0802 PROCESSOR_FULL "the ladder processor has no room for this"
+    Error E0803 BAD_IMAGE "a file is no image that the ladder processor can run"
 
     // Allowing
     Warning W0001 BAD_ALLOW "an allow names nothing that can be allowed"

@@ -85,13 +85,15 @@ impl Fitter {
         let element = node.element;
         match node.kind {
             Kind::List(branches) => {
-                let branches = branches.into_iter().map(|branch| self.series(branch, width - 2 * JOIN));
+                let branches =
+                    branches.into_iter().map(|branch| self.series(branch, width - 2 * JOIN));
                 Node::list(element, branches.collect())
             }
             Kind::Net(mut net) => {
                 let inner = width - net.beside();
                 for connection in &mut net.connections {
-                    let network = std::mem::replace(&mut connection.network, Series::new(Vec::new()));
+                    let network =
+                        std::mem::replace(&mut connection.network, Series::new(Vec::new()));
                     connection.network = self.series(network, inner);
                 }
                 net.into_node(element)

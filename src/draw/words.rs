@@ -31,7 +31,8 @@ pub(super) fn written(source: &Source, span: Span, comments: &[Span]) -> String 
         at = comment.end.min(span.end);
     }
     pieces += source.slice(Span { start: at, end: span.end });
-    let words: Vec<&str> = pieces.split([' ', '\t', '\r', '\n']).filter(|w| !w.is_empty()).collect();
+    let words: Vec<&str> =
+        pieces.split([' ', '\t', '\r', '\n']).filter(|w| !w.is_empty()).collect();
     harmless(&words.join(" "))
 }
 

@@ -56,12 +56,6 @@ impl<'p> Evaluator<'p> {
         }
     }
 
-    /// The power behind a network that is fed with power 1 and holds contacts, comparisons and
-    /// lists only.
-    pub fn conducts(&mut self, network: &[Element]) -> bool {
-        self.series(network, true)
-    }
-
     fn set(&mut self, variable: VariableId, value: i64) {
         self.values[index(variable)] = value;
     }

@@ -43,6 +43,6 @@ pub(super) fn check(index: &Index, found: &mut Vec<Diagnostic>) {
 
 /// A counter whose count is read: without a preset it counts as well.
 fn is_tally(index: &Index, instance: &Instance) -> bool {
-    let ports = instance.block.ports.iter().zip(&instance.members);
+    let ports = instance.shape.ports.iter().zip(&instance.members);
     ports.filter(|(port, _)| port.name == "CV").any(|(_, &member)| index.is_read(member))
 }

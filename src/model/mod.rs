@@ -64,6 +64,11 @@ impl Program {
         }
     }
 
+    /// Every variable that a user can name, in the order of declarations and calls.
+    pub fn named_variables(&self) -> impl Iterator<Item = (VariableId, &Variable)> {
+        self.variables.iter().filter(|(_, variable)| self.is_named(variable))
+    }
+
     /// Keeps the tests that are wanted and numbers their expectations anew.
     pub fn retain_tests(&mut self, is_wanted: impl Fn(&Test) -> bool) {
         fn number(statements: &mut [Statement], next: &mut usize) {

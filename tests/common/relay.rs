@@ -11,9 +11,12 @@ struct Generator {
     /// Blocks that are not called yet, with their kinds.
     uncalled: Vec<(String, &'static str)>,
     latches: Vec<String>,
+    is_tick_short: bool,
 }
 
-const KINDS: [&str; 7] = ["SR", "RS", "R_TRIG", "F_TRIG", "TON", "TOF", "TP"];
+const LATCHES: [&str; 4] = ["SR", "RS", "R_TRIG", "F_TRIG"];
+/// Those of tenths last, for they need a short tick.
+const FUNCTIONS: [&str; 10] = ["TON", "TOF", "TP", "TS", "T1_0", "UC", "DC", "DRUM", "TT", "T0_1"];
 
 /// The text of the random program of a seed.
 pub fn program(seed: u64) -> String {
@@ -23,8 +26,10 @@ pub fn program(seed: u64) -> String {
         coils: Vec::new(),
         uncalled: Vec::new(),
         latches: Vec::new(),
+        is_tick_short: false,
     };
-    let tick = if generator.random.bool() { "100ms" } else { "1s" };
+    generator.is_tick_short = generator.random.bool();
+    let tick = if generator.is_tick_short { "100ms" } else { "1s" };
     let mut text = format!("ladder relay_{seed}\ntick {tick}\n");
     generator.declarations(&mut text);
     for _ in 0..1 + generator.random.usize(..6) {
@@ -64,11 +69,19 @@ impl Generator {
                 }
             }
         }
+        writeln!(text, "input level : INT\nvar fixed : INT := 2").unwrap();
         for index in 0..self.random.usize(..4) {
-            let (name, kind) = (format!("b{index}"), self.pick(&KINDS));
+            let name = format!("b{index}");
             self.bits.push(format!("{name}.Q"));
-            if KINDS[..4].contains(&kind) {
+            let functions = if self.is_tick_short { &FUNCTIONS[..] } else { &FUNCTIONS[..8] };
+            let kind = if self.chance(3) { self.pick(&LATCHES) } else { self.pick(functions) };
+            if LATCHES.contains(&kind) {
                 self.latches.push(name.clone());
+            }
+            match kind {
+                "TS" | "TT" | "T1_0" | "T0_1" => self.bits.push(format!("{name}.QN")),
+                "DRUM" => self.bits.extend([format!("{name}.TAP0"), format!("{name}.TAP2")]),
+                _ => {}
             }
             self.uncalled.push((name, kind));
         }
@@ -109,6 +122,7 @@ impl Generator {
                 format!("{edge}({bit})")
             }
             2 => format!("{{ {} }}", self.condition(2)),
+            9 if depth > 1 => self.net(),
             3..=8 if depth > 0 => {
                 let branches = 1 + self.random.usize(..4);
                 let list: Vec<String> = (0..branches).map(|_| self.looks(depth - 1)).collect();
@@ -119,6 +133,30 @@ impl Generator {
                 format!("{}{bit}", self.pick(&["", "", "!"]))
             }
         }
+    }
+
+    /// A network of few nodes, so that bridges are among them, with random connections besides.
+    fn net(&mut self) -> String {
+        let nodes = ["left", "right", "n1", "n2", "n3"];
+        let nodes = &nodes[..4 + self.random.usize(..2)];
+        let mut text = "net { left -> n1 : ".to_owned() + &self.looks(1);
+        for (from, arrow, to) in
+            [("left", "->", "n2"), ("n1", "<->", "n2"), ("n1", "->", "right"), ("n2", "->", "right")]
+        {
+            write!(text, " {from} {arrow} {to} : {}", self.looks(1)).unwrap();
+        }
+        for node in &nodes[4..] {
+            write!(text, " n1 <-> {node} : {}", self.looks(0)).unwrap();
+            write!(text, " {node} -> right : {}", self.looks(0)).unwrap();
+        }
+        for _ in 0..self.random.usize(..3) {
+            let (from, to) = (self.pick(nodes), self.pick(nodes));
+            if from != to && from != "right" && to != "left" {
+                let arrow = self.pick(&["->", "<->"]);
+                write!(text, " {from} {arrow} {to} : {}", self.looks(0)).unwrap();
+            }
+        }
+        text + " }"
     }
 
     fn condition(&mut self, depth: u32) -> String {
@@ -157,8 +195,29 @@ impl Generator {
                 let shortest = u32::from(kind == "TON");
                 format!("PT := {}s", self.random.u32(shortest..4))
             }
+            "TS" | "TT" | "T1_0" | "T0_1" | "UC" | "DC" | "DRUM" => self.function(kind),
             _ => String::new(),
         };
         Some(format!("{name}:{kind}({arguments})"))
+    }
+
+    fn function(&mut self, kind: &str) -> String {
+        let constant = self.random.u32(1..4).to_string();
+        let mut arguments = vec![match self.random.u32(..4) {
+            0 if kind != "DRUM" => "PV := level".to_owned(),
+            1 if kind != "DRUM" => "PV := fixed".to_owned(),
+            _ => format!("PV := {constant}"),
+        }];
+        if !self.chance(3) {
+            arguments.push(format!("EN := [ {} | {} ]", self.looks(1), self.looks(0)));
+        }
+        match kind {
+            "DRUM" => arguments.push("TAPS := [1, 4, 2]".to_owned()),
+            "TS" | "TT" => {
+                arguments.push(format!("MODE := {}", self.pick(&["ON", "OFF", "INTERVAL"])));
+            }
+            _ => {}
+        }
+        arguments.join(", ")
     }
 }

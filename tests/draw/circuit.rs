@@ -117,9 +117,8 @@ impl Circuit {
         }
         for (mark, at) in boxes {
             // A box that stands for what is drawn further down is no element here.
-            let holds = |drawn: &Drawn| {
-                drawn.left.y == at.y && drawn.left.x < at.x && at.x < drawn.right.x
-            };
+            let holds =
+                |drawn: &Drawn| drawn.left.y == at.y && drawn.left.x < at.x && at.x < drawn.right.x;
             let element = *self.drawn.iter().find(|(_, drawn)| holds(drawn)).unwrap().0;
             let drawn = self.drawn.remove(&element).unwrap();
             self.jumps.push((drawn.left, to.remove(mark).unwrap()));
