@@ -150,6 +150,10 @@ codes! {
     Error E0701 BAD_STIMULUS "a stimulus is no table of inputs and scans"
     Error E0702 BAD_COLUMN "a column of a stimulus is no input"
     Error E0703 BAD_CELL "a value of a stimulus does not fit its input"
+    // The ladder processor
+    Error E0801 NOT_ON_PROCESSOR "the ladder processor cannot do this"
+    Error E0802 PROCESSOR_FULL "the ladder processor has no room for this"
+    Error E0803 BAD_IMAGE "a file is no image that the ladder processor can run"
 
     // Allowing
     Warning W0001 BAD_ALLOW "an allow names nothing that can be allowed"
