@@ -3,12 +3,14 @@
 mod call;
 mod declare;
 mod expression;
+mod function;
 mod literal;
 mod names;
 mod network;
 mod number;
 mod reference;
 mod test;
+mod variables;
 
 use std::collections::HashMap;
 

@@ -27,7 +27,7 @@ fn run(
 ) -> Result<(), Failure> {
     for statement in statements {
         match statement {
-            Statement::Drive(input, value) => evaluator.drive(*input, *value),
+            Statement::Drive(input, value) => evaluator.drive_place(input, *value),
             Statement::Scan(scans) => (0..*scans).for_each(|_| evaluator.scan(false)),
             Statement::Wait(ticks) => (0..*ticks).for_each(|_| evaluator.scan(true)),
             Statement::Repeat(times, statements) => {

@@ -119,7 +119,7 @@ fn random_cell(circuit: &mut Circuit, random: &mut fastrand::Rng, nets: &[Net]) 
     let width = circuit.width(a);
     let mut other = |circuit: &mut Circuit, width| of_width(circuit, random, nets, Some(width));
     let (b, c, select) = (other(circuit, width), other(circuit, width), other(circuit, 1));
-    match random.u32(..12) {
+    match random.u32(..17) {
         0 => circuit.not(a),
         1 | 2 => circuit.and([a, b, c]),
         3 | 4 => circuit.or([b, a]),
@@ -135,6 +135,11 @@ fn random_cell(circuit: &mut Circuit, random: &mut fastrand::Rng, nets: &[Net]) 
             let less = circuit.less(a, b, random.bool());
             if random.bool() { circuit.not(less) } else { less }
         }
+        11 => circuit.mul(a, b),
+        12 if width <= 33 => circuit.div(a, b),
+        13 if width <= 33 => circuit.rem(b, a),
+        14 if width < 32 => circuit.concat([a, select, b]),
+        15 => circuit.with_bit(a, random.u32(..width), select),
         _ => {
             let low = random.u32(..width);
             circuit.slice(a, low, random.u32(1..=width - low))
