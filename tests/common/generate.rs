@@ -1,10 +1,13 @@
 //! Random programs, as text, that cover the language. One seed is one program.
 
+mod words;
+
 use std::fmt::Write;
 
 use fastrand::Rng;
 use hotrail::blocks::{self, Block, Port, PortRole};
 use hotrail::types::Type;
+use words::Array;
 
 const NUMBERS: [&str; 7] = ["INT", "UINT", "DINT", "UDINT", "WORD", "DWORD", "TIME"];
 const RELATIONS: [&str; 6] = ["=", "<>", "<", "<=", ">", ">="];
@@ -18,6 +21,7 @@ struct Generator {
     /// Names and types of numbers that can be read, and those that can be written.
     numbers: Vec<(String, &'static str)>,
     targets: Vec<(String, &'static str)>,
+    arrays: Vec<Array>,
     /// Blocks still to be called.
     uncalled: Vec<Uncalled>,
     instances: Vec<String>,
@@ -39,6 +43,7 @@ pub fn program(seed: u64) -> String {
         coils: Vec::new(),
         numbers: Vec::new(),
         targets: Vec::new(),
+        arrays: Vec::new(),
         uncalled: Vec::new(),
         instances: Vec::new(),
     };
@@ -90,6 +95,7 @@ impl Generator {
                     }
                 }
             }
+            self.array(kind, letter, text);
         }
         for index in 0..self.random.usize(..4) {
             self.block(format!("b{index}"));
@@ -175,7 +181,9 @@ impl Generator {
             1..=2 => {
                 let bits: Vec<String> =
                     self.bits.iter().filter(|bit| *bit != "first_scan").cloned().collect();
+                let inner = if self.chance(4) { self.inner_bit(false) } else { None };
                 let (edge, bit) = (self.pick(&["rise", "fall"]), self.pick(&bits));
+                let bit = inner.unwrap_or(bit);
                 format!("{edge}({bit})")
             }
             3..=4 => {
@@ -188,7 +196,8 @@ impl Generator {
                 format!("[ {} ]", list.join(" | "))
             }
             _ => {
-                let bit = self.pick(&self.bits.clone());
+                let inner = if self.chance(4) { self.inner_bit(false) } else { None };
+                let bit = inner.unwrap_or_else(|| self.pick(&self.bits.clone()));
                 format!("{}{bit}", self.pick(&["", "", "!"]))
             }
         }
@@ -197,7 +206,8 @@ impl Generator {
     fn output(&mut self) -> String {
         match self.random.u32(..12) {
             0..=2 if !self.targets.is_empty() => {
-                let (target, ty) = self.pick(&self.targets.clone());
+                let element = if self.chance(4) { self.target_element() } else { None };
+                let (target, ty) = element.unwrap_or_else(|| self.pick(&self.targets.clone()));
                 let value = self.number(ty, 2);
                 format!("{{ {target} := {value} }}")
             }
@@ -205,7 +215,8 @@ impl Generator {
                 format!("(R {})", self.pick(&self.instances.clone()))
             }
             _ => {
-                let coil = self.pick(&self.coils.clone());
+                let inner = if self.chance(4) { self.inner_bit(true) } else { None };
+                let coil = inner.unwrap_or_else(|| self.pick(&self.coils.clone()));
                 let action = self.pick(&["", "", "", "", "!", "S ", "R ", "rise ", "fall "]);
                 format!("({action}{coil})")
             }
@@ -264,6 +275,12 @@ impl Generator {
         let same: Vec<String> =
             self.numbers.iter().filter(|number| number.1 == ty).map(|n| n.0.clone()).collect();
         let is_pattern = matches!(ty, "WORD" | "DWORD");
+        if depth > 0
+            && self.chance(3)
+            && let Some(worked_out) = self.worked_out(ty, depth)
+        {
+            return worked_out;
+        }
         match self.random.u32(..5) {
             0..=1 if depth > 0 => {
                 let (a, b) = (self.number(ty, depth - 1), self.number(ty, depth - 1));

@@ -223,19 +223,18 @@ impl Plan {
             }
             Op::Not(from) => self.count_use(from, READ | INVERTED),
             // A number takes its width from the other side in VHDL.
-            Op::Add(a, b)
-            | Op::Sub(a, b)
-            | Op::Mul(a, b)
-            | Op::Eq(a, b)
-            | Op::Less { a, b, .. } => {
+            Op::Add(a, b) | Op::Sub(a, b) | Op::Eq(a, b) | Op::Less { a, b, .. } => {
                 let cut = is_constant(circuit, a) && is_constant(circuit, b);
                 self.count_use(a, READ | if cut { CUT } else { 0 });
                 self.count_use(b, READ);
             }
-            // A divisor is looked at twice.
-            Op::Div(a, b) | Op::Rem(a, b) => {
-                self.count_use(a, READ | if is_constant(circuit, a) { CUT } else { 0 });
-                self.count_use(b, READ | if is_constant(circuit, b) { 0 } else { CUT });
+            // A divisor is looked at twice; and what has a name in both languages need not be
+            // multiplied or divided to prove that the products or quotients are equal.
+            Op::Mul(a, b) | Op::Div(a, b) | Op::Rem(a, b) => {
+                for operand in [a, b] {
+                    let cut = if is_constant(circuit, operand) { 0 } else { CUT };
+                    self.count_use(operand, READ | cut);
+                }
             }
             Op::Input(_)
             | Op::Register(_)

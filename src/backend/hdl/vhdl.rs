@@ -201,7 +201,8 @@ impl Dialect for Vhdl {
             Form::Difference(a, b) => printer.chain_numbers("- ", a, b),
             Form::Product(a, b) => {
                 printer.text("resize(")?;
-                printer.chain_numbers("* ", a, b)?;
+                printer.item("", a, Place::Inside(Level::Sum), "")?;
+                printer.item("* ", b, Place::Inside(Level::Sum), "")?;
                 write!(printer, ", {})", circuit.width(net))
             }
             Form::Quotient(a, b) => printer.divided("/ ", a, b),
@@ -288,15 +289,16 @@ impl<W: Write> Printer<'_, W, Vhdl> {
 
     /// A division; by 0 it gives 0.
     fn divided(&mut self, operator: &str, a: Net, b: Net) -> fmt::Result {
-        let number = Place::Number { signed: false };
+        // A constant has its width said, so that tools that read it back see the same divider.
+        let (number, sum) = (Place::Number { signed: false }, Place::Inside(Level::Sum));
         if self.module.circuit.constant_value(b).is_none() {
             self.word(&format!("to_unsigned(0, {})", self.module.circuit.width(a)))?;
             self.item("when ", b, number, " = 0")?;
-            self.item("else ", a, number, "")?;
-            return self.item(operator, b, number, "");
+            self.item("else ", a, sum, "")?;
+            return self.item(operator, b, sum, "");
         }
-        self.item("", a, number, "")?;
-        self.item(operator, b, number, "")
+        self.item("", a, sum, "")?;
+        self.item(operator, b, sum, "")
     }
 
     fn chain_numbers(&mut self, operator: &str, a: Net, b: Net) -> fmt::Result {
