@@ -15,6 +15,7 @@ const RELATIONS: [&str; 6] = ["=", "<>", "<", "<=", ">", ">="];
 /// A program under construction.
 struct Generator {
     random: Rng,
+    has_products: bool,
     /// Names of type `BOOL` that can be read, and those of them that can be written.
     bits: Vec<String>,
     coils: Vec<String>,
@@ -37,8 +38,18 @@ struct Uncalled {
 
 /// The text of the random program of a seed.
 pub fn program(seed: u64) -> String {
+    program_of(seed, true)
+}
+
+/// One without products and quotients, which a solver cannot prove equal bit by bit.
+pub fn program_without_products(seed: u64) -> String {
+    program_of(seed, false)
+}
+
+fn program_of(seed: u64, has_products: bool) -> String {
     let mut generator = Generator {
         random: Rng::with_seed(seed),
+        has_products,
         bits: vec!["first_scan".to_owned()],
         coils: Vec::new(),
         numbers: Vec::new(),

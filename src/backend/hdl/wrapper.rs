@@ -62,8 +62,8 @@ impl Pin<'_> {
         verilog::Range(self.width)
     }
 
-    fn verilog_zero(&self) -> verilog::Number {
-        verilog::Number::new(0, self.width)
+    fn verilog_zero(&self) -> String {
+        if self.width == 1 { "1'b0".to_owned() } else { format!("{}'d0", self.width) }
     }
 
     fn vhdl_type(&self) -> vhdl::Type {

@@ -73,7 +73,9 @@ impl Generator {
         let index = match self.random.u32(..3) {
             0 => index,
             // Mostly in range: a remainder is negative now and then.
-            _ if self.is_literal(&index) => self.random.usize(..length).to_string(),
+            _ if !self.has_products || self.is_literal(&index) => {
+                self.random.usize(..length).to_string()
+            }
             _ => format!("{index} MOD {}", length + 1),
         };
         let is_outside =
@@ -175,6 +177,7 @@ impl Generator {
                 format!("{}({word}, {amount})", self.pick(&["SHL", "SHR", "ROL", "ROR"]))
             }
             4 if matches!(ty, "INT" | "DINT") => format!("ABS({})", number(self)),
+            5 | 6 if !self.has_products => return None,
             5 | 6 if ty == "TIME" => {
                 let (time, factor) = (number(self), self.integer());
                 match self.random.u32(..3) {
