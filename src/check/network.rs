@@ -3,7 +3,9 @@
 use super::reference::Resolved;
 use super::{Checked, Checker, Reported};
 use crate::diagnostic::{Diagnostic, code};
-use crate::model::{self, CoilAction, Element, Place, Role, Variable, VariableId};
+use crate::model::{
+    self, CoilAction, Element, Expr, ExprKind, Place, Relation, Role, Variable, VariableId,
+};
 use crate::source::Span;
 use crate::syntax::ast::{self, Edge, ElementKind, Reference, Rung, Series};
 use crate::types::Type;
@@ -15,6 +17,8 @@ pub(super) enum Site {
     Rung,
     /// An argument of a call: no outputs, no blocks.
     Argument,
+    /// A connection of a general network: only what conducts or not, whatever the power.
+    Connection,
     /// An expectation of a test: only what looks and keeps nothing.
     Expectation,
 }
@@ -67,7 +71,10 @@ impl<'s> Checker<'s> {
         }
         let mut elements = Vec::with_capacity(series.elements.len());
         for element in &series.elements {
-            elements.extend(self.element(element, site).ok());
+            let Ok(element) = self.element(element, site) else { continue };
+            let entailed = self.entailed(&element);
+            elements.push(element);
+            elements.extend(entailed);
         }
         elements
     }
@@ -113,14 +120,30 @@ impl<'s> Checker<'s> {
                 self.assignment(target, value, element.span)?
             }
             ElementKind::Call(call) => Element::Call(self.call(call)?),
-            ElementKind::Net(_) => {
-                let message = "general networks are not supported yet";
-                let diagnostic = Diagnostic::new(code::NOT_YET, element.span, message)
-                    .label("a network")
-                    .help("write the paths as the branches of a list");
-                return Err(self.report(diagnostic));
-            }
+            ElementKind::Net(net) => Element::Net(self.net(net, element.span)?),
         })
+    }
+
+    /// What stands behind a write of a block's accumulator: where it becomes 0, so does the
+    /// fraction of a unit that has been counted.
+    fn entailed(&self, element: &Element) -> Option<Element> {
+        let Element::Assign { target, span, .. } = element else { return None };
+        let (target, span) = (target.declared(), *span);
+        let Variable { ty, role: Role::Member(instance, port), .. } =
+            self.program.variables[target]
+        else {
+            return None;
+        };
+        let instance = &self.program.instances[instance];
+        let fraction = instance.shape.port_named(instance.shape.ports[port].fraction?)?;
+        let fraction = instance.members[fraction];
+        let zero = |ty| Expr { ty, kind: ExprKind::Constant(0) };
+        let written = Expr { ty, kind: ExprKind::Read(target.into()) };
+        let kind = ExprKind::Compare(Relation::Equal, Box::new(written), Box::new(zero(ty)));
+        let is_zero = Element::Compare(Expr { ty: Type::Bool, kind }, span);
+        let value = zero(self.program.variables[fraction].ty);
+        let clear = Element::Assign { target: fraction.into(), value, span };
+        Some(Element::Parallel(vec![vec![is_zero, clear], vec![Element::Constant(true)]]))
     }
 
     fn check_site(&mut self, element: &ast::Element<'s>, site: Site) -> Checked<()> {
@@ -140,7 +163,25 @@ impl<'s> Checker<'s> {
                 "name the contacts that must conduct, for instance: expect motor !lamp",
             ),
             (
-                ElementKind::Edge { .. } | ElementKind::OneShot(_) | ElementKind::Invert,
+                ElementKind::Coil { .. } | ElementKind::Assign { .. } | ElementKind::Call(_),
+                Site::Connection,
+            ) => (
+                "a connection cannot hold outputs and blocks",
+                "put it behind the network, or into a rung of its own",
+            ),
+            (ElementKind::OneShot(_) | ElementKind::Invert, Site::Connection) => (
+                "a connection conducts or not, whatever the power",
+                "use contacts, such as `!x` and `rise(x)`, or put it behind the network",
+            ),
+            (ElementKind::Net(_), Site::Connection) => (
+                "a network cannot stand in a connection",
+                "connect the inner nodes here, under names of their own",
+            ),
+            (
+                ElementKind::Edge { .. }
+                | ElementKind::OneShot(_)
+                | ElementKind::Invert
+                | ElementKind::Net(_),
                 Site::Expectation,
             ) => (
                 "an expectation looks at one moment only",
@@ -251,7 +292,7 @@ impl<'s> Checker<'s> {
                 "declare it with var or output".to_owned(),
             ),
             Resolved::Instance(instance) => {
-                let block = self.program.instances[instance].block;
+                let block = self.program.instances[instance].shape.block;
                 (
                     format!("`{name}` is a block ({}), not a variable", block.name),
                     "a block instance",
@@ -289,11 +330,14 @@ impl<'s> Checker<'s> {
         port: usize,
     ) -> Option<(String, &'static str, String)> {
         let instance = &self.program.instances[instance];
-        let member = &instance.block.ports[port];
+        let member = &instance.shape.ports[port];
         let name = format!("{}.{}", instance.name, member.name);
+        if member.role.is_loaded() {
+            return None;
+        }
         if !member.role.is_parameter() {
             return Some((
-                format!("`{name}` is an output of the block {}", instance.block.name),
+                format!("`{name}` is an output of the block {}", instance.shape.block.name),
                 "written by the block alone",
                 format!("to reset it write (R {})", instance.name),
             ));

@@ -13,7 +13,7 @@ const MOST_ELEMENTS: u32 = 1024;
 
 /// What the names of a declaration are.
 #[derive(Clone, Copy)]
-struct Shape {
+struct Kind {
     role: Role,
     ty: Type,
     /// The number of elements, if they are arrays.
@@ -27,13 +27,13 @@ impl<'s> Checker<'s> {
             VariableKind::Output => Role::Output,
             VariableKind::Var => Role::Local,
         };
-        let shape = match &variables.ty {
-            None => Ok(Shape { role, ty: Type::Bool, length: None }),
-            Some(name) => self.shape(role, name),
+        let kind = match &variables.ty {
+            None => Ok(Kind { role, ty: Type::Bool, length: None }),
+            Some(name) => self.kind(role, name),
         };
         for declarator in &variables.names {
-            let entity = match shape {
-                Ok(shape) => self.variable(shape, declarator),
+            let entity = match kind {
+                Ok(kind) => self.variable(kind, declarator),
                 Err(_) => Entity::Broken,
             };
             if let Err(diagnostic) = self.names.declare(declarator.name, entity) {
@@ -42,13 +42,13 @@ impl<'s> Checker<'s> {
         }
     }
 
-    fn shape(&mut self, role: Role, name: &TypeName<'s>) -> Checked<Shape> {
+    fn kind(&mut self, role: Role, name: &TypeName<'s>) -> Checked<Kind> {
         let ty = self.type_named(name.name);
-        let length = name.length.map(|length| self.length(length)).transpose();
-        Ok(Shape { role, ty: ty?, length: length? })
+        let length = name.length.map(|length| self.array_length(length)).transpose();
+        Ok(Kind { role, ty: ty?, length: length? })
     }
 
-    fn length(&mut self, length: Literal<'s>) -> Checked<u32> {
+    fn array_length(&mut self, length: Literal<'s>) -> Checked<u32> {
         let number = literal::integer(length).and_then(|number| u32::try_from(number).ok());
         number.filter(|number| (1..=MOST_ELEMENTS).contains(number)).ok_or_else(|| {
             let message = format!("an array has 1 to {MOST_ELEMENTS} elements");
@@ -86,33 +86,33 @@ impl<'s> Checker<'s> {
         })
     }
 
-    fn variable(&mut self, shape: Shape, declarator: &Declarator<'s>) -> Entity {
-        let length = shape.length.unwrap_or(1);
+    fn variable(&mut self, kind: Kind, declarator: &Declarator<'s>) -> Entity {
+        let length = kind.length.unwrap_or(1);
         let initial = match &declarator.initial {
             None => Vec::new(),
-            Some(initial) => self.initial_values(shape, initial).unwrap_or_default(),
+            Some(initial) => self.initial_values(kind, initial).unwrap_or_default(),
         };
         let address = declarator
             .address
-            .and_then(|address| self.address(shape, declarator.name, address).ok());
+            .and_then(|address| self.address(kind, declarator.name, address).ok());
         let Declarator { name: ast::Name { text, span }, .. } = *declarator;
         let first = VariableId::from_raw((self.program.variables.len() as u32).into());
         for index in 0..length {
-            let name = match shape.length {
+            let name = match kind.length {
                 None => text.to_owned(),
                 Some(_) => format!("{text}[{index}]"),
             };
             self.program.variables.alloc(Variable {
                 name: name.into(),
-                ty: shape.ty,
+                ty: kind.ty,
                 initial: initial.get(index as usize).copied().unwrap_or(0),
                 is_initialised: declarator.initial.is_some(),
-                role: shape.role,
+                role: kind.role,
                 address: address.map(|address| address + index as u16),
                 span,
             });
         }
-        if shape.length.is_none() {
+        if kind.length.is_none() {
             return Entity::Variable(first);
         }
         let elements = Elements { first, length };
@@ -121,8 +121,8 @@ impl<'s> Checker<'s> {
     }
 
     /// The initial values of a variable or of the first elements of an array.
-    fn initial_values(&mut self, shape: Shape, initial: &Initial<'s>) -> Checked<Vec<i64>> {
-        let Shape { role, ty, length } = shape;
+    fn initial_values(&mut self, kind: Kind, initial: &Initial<'s>) -> Checked<Vec<i64>> {
+        let Kind { role, ty, length } = kind;
         let span = match initial {
             Initial::Value(value) => value.span,
             Initial::List(_, span) => *span,
@@ -177,23 +177,23 @@ impl<'s> Checker<'s> {
     /// The image address of a `BOOL`, or that of the first element of an array of them.
     fn address(
         &mut self,
-        shape: Shape,
+        kind: Kind,
         name: ast::Name<'s>,
         literal: ast::Literal<'s>,
     ) -> Checked<u16> {
-        let (low, high, what) = match shape.role {
+        let (low, high, what) = match kind.role {
             Role::Input => (0, 255, "inputs"),
             Role::Output => (256, 511, "outputs"),
             _ => (512, 1022, "variables"),
         };
-        let last = u16::try_from(shape.length.unwrap_or(1) - 1).unwrap_or(u16::MAX);
+        let last = u16::try_from(kind.length.unwrap_or(1) - 1).unwrap_or(u16::MAX);
         let inside = |address: &i128| (low..=high - i128::from(last)).contains(address);
         let first = literal::integer(literal).filter(inside).map(|address| address as u16);
         let problem = |message: String| Diagnostic::new(code::BAD_ADDRESS, literal.span, message);
         let another = "choose another address, or leave `at` out";
         let diagnostic = match first {
-            _ if shape.ty != Type::Bool => problem("only a BOOL has an image address".to_owned())
-                .label(format!("the address of a value of type {}", shape.ty))
+            _ if kind.ty != Type::Bool => problem("only a BOOL has an image address".to_owned())
+                .label(format!("the address of a value of type {}", kind.ty))
                 .help("leave `at` out"),
             None => problem(format!("{what} have the addresses {low} to {high}"))
                 .label(match last {

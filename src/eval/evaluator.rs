@@ -4,7 +4,7 @@
 use crate::blocks::Step;
 use crate::index::index;
 use crate::model::{
-    ArgumentValue, Call, CoilAction, Edge, Element, Expr, Place, Program, Role, VariableId,
+    ArgumentValue, Call, CoilAction, Edge, Element, Expr, Net, Place, Program, Role, VariableId,
 };
 
 /// A program that runs.
@@ -37,31 +37,23 @@ impl<'p> Evaluator<'p> {
 
     /// Drives an input.
     pub fn drive(&mut self, input: VariableId, value: i64) {
-        self.drive_place(&input.into(), value);
-    }
-
-    /// Drives an input, an element or a bit of one.
-    pub fn drive_place(&mut self, input: &Place, value: i64) {
-        debug_assert_eq!(self.program.variables[input.declared()].role, Role::Input);
-        self.write(input, value);
+        debug_assert_eq!(self.program.variables[input].role, Role::Input);
+        self.set(input, value);
     }
 
     /// One scan, with the tick or without.
     pub fn scan(&mut self, tick: bool) {
         self.tick = tick;
         let program = self.program;
+        for unit in &program.units {
+            self.call(unit, false);
+        }
         for rung in &program.rungs {
             self.series(&rung.network, true);
         }
         if let Some(first_scan) = self.first_scan {
             self.set(first_scan, 0);
         }
-    }
-
-    /// The power behind a network that is fed with power 1 and holds contacts, comparisons and
-    /// lists only.
-    pub fn conducts(&mut self, network: &[Element]) -> bool {
-        self.series(network, true)
     }
 
     fn set(&mut self, variable: VariableId, value: i64) {
@@ -116,10 +108,10 @@ impl<'p> Evaluator<'p> {
                 power
             }
             Element::ResetInstance(instance) => {
-                let instance = &self.program.instances[*instance];
-                for (port, &member) in instance.block.ports.iter().zip(&instance.members) {
-                    if power && port.role.is_cleared() {
-                        self.set(member, self.program.variables[member].initial);
+                if power {
+                    let program = self.program;
+                    for (_, member, value) in program.instances[*instance].cleared(program) {
+                        self.set(member, value);
                     }
                 }
                 power
@@ -132,6 +124,30 @@ impl<'p> Evaluator<'p> {
                 power
             }
             Element::Call(call) => self.call(call, power),
+            Element::Net(net) => self.net(net) && power,
+        }
+    }
+
+    /// True if some path of connections conducts from the left end to the right one.
+    fn net(&mut self, net: &Net) -> bool {
+        let mut conducting = Vec::new();
+        for connection in &net.connections {
+            if self.series(&connection.network, true) {
+                conducting.push(connection);
+            }
+        }
+        let mut powered = vec![false; net.nodes.len()];
+        powered[Net::LEFT] = true;
+        loop {
+            let before = powered.clone();
+            for connection in &conducting {
+                let (from, to) = (connection.from, connection.to);
+                powered[to] |= powered[from];
+                powered[from] |= connection.both_ways && powered[to];
+            }
+            if powered == before {
+                return powered[Net::RIGHT];
+            }
         }
     }
 
@@ -175,12 +191,12 @@ impl<'p> Evaluator<'p> {
         }
         let mut values: Vec<i64> =
             instance.members.iter().map(|&member| self.value(member)).collect();
-        let block = instance.block;
-        (block.step)(&mut Step { block, power, tick: self.tick, values: &mut values });
+        let shape = &*call.shape;
+        (shape.block.step)(&mut Step { shape, power, tick: self.tick, values: &mut values });
         for (&member, value) in instance.members.iter().zip(values) {
             self.set(member, value);
         }
-        match block.main_port() {
+        match shape.main_port() {
             Some(port) => self.is_on(instance.members[port]),
             None => power,
         }

@@ -6,6 +6,7 @@
 
 mod allow;
 mod coil_and_latch;
+mod dead_end;
 mod declared;
 mod double_coil;
 mod idle;
@@ -47,6 +48,7 @@ const RULES: &[Rule] = &[
     latch::check,
     read_above::check,
     unwieldy::check,
+    dead_end::check,
     preset_zero::check,
     unreset::check,
     running_equality::check,

@@ -28,7 +28,7 @@ use signals::Signal;
 pub use tap::outcomes;
 
 /// Names that the templates use for themselves, also of what VHDL's packages bring.
-const OWN_NAMES: [&str; 35] = [
+const OWN_NAMES: [&str; 34] = [
     "bits",
     "boolean",
     "buf",
@@ -52,7 +52,6 @@ const OWN_NAMES: [&str; 35] = [
     "print",
     "quoted",
     "reset",
-    "round",
     "scan",
     "std",
     "string",
@@ -213,6 +212,9 @@ impl Bench {
             namer.fix(own);
         }
         namer.fix(options.reset.port());
+        for counter in lines::counters(program) {
+            namer.take(counter, "");
+        }
         let expectations = expectation_nets(&all, &mut namer);
         let (signals, wires) = signals::signals(program, observed, &core_ports, namer, language);
 
