@@ -129,6 +129,7 @@ codes! {
     Error E0204 BAD_TIME "a time is no whole number of ticks"
     Error E0205 BAD_CLOCK "the clock or the tick cannot be used"
     Error E0206 BAD_ADDRESS "an image address is out of its region or taken"
+    Error E0207 BAD_CALL "a function has too few or too many arguments"
     // Rungs
     Error E0301 EMPTY_BRANCH "a branch or network is empty"
     Error E0302 NO_OUTPUT "a rung has no coil, assignment or block"
