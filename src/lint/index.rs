@@ -3,8 +3,7 @@
 use crate::index::index;
 use crate::model::{
     Argument, ArgumentValue, Call, CoilAction, Element, Expr, ExprKind, InstanceId, Net, Place,
-    Program,
-    Relation, Series, Statement, VariableId,
+    Program, Relation, Series, Statement, VariableId,
 };
 use crate::source::Span;
 

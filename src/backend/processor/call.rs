@@ -275,7 +275,8 @@ impl Compiler<'_> {
             None => self.program.variables[self.member(call.instance, "PV")].initial,
             Some((ArgumentValue::Value(expr), span)) => match expr.kind {
                 ExprKind::Constant(value) => value,
-                ExprKind::Read(variable) if call.shape.block.name != "DRUM" => {
+                ExprKind::Read(ref place) if call.shape.block.name != "DRUM" => {
+                    let variable = self.whole(place, span)?;
                     return self.number(variable, span);
                 }
                 ExprKind::Read(_) => {
@@ -299,7 +300,9 @@ impl Compiler<'_> {
         names.extend((0..taps.len()).map(|tap| format!("{name}, tap {tap}")));
         let first = self.layout.presets(&names, self.instance(call.instance).span);
         let first = self.limit(first)?;
-        for (register, value) in (first..).zip([preset].into_iter().chain(taps.iter().map(|&tap| tap as u16))) {
+        for (register, value) in
+            (first..).zip([preset].into_iter().chain(taps.iter().map(|&tap| tap as u16)))
+        {
             if value != 0 {
                 self.rom.registers.insert(register, value);
             }

@@ -2,7 +2,7 @@
 
 use super::compile::{Compiler, Done, Power};
 use super::tree::{Contact, Tree};
-use super::word::{Operation, ONE};
+use super::word::{ONE, Operation};
 use crate::model::{BinaryOp, Expr, ExprKind, Relation, VariableId};
 use crate::source::Span;
 use crate::types::Type;
@@ -12,7 +12,13 @@ impl Compiler<'_> {
     pub(super) fn condition(&mut self, expr: &Expr, span: Span) -> Done<Tree> {
         match &expr.kind {
             ExprKind::Constant(value) => Ok(Tree::constant(*value != 0)),
-            ExprKind::Read(variable) => Ok(Tree::on(self.readable(*variable, span)?)),
+            ExprKind::Read(place) => {
+                let variable = self.whole(place, span)?;
+                Ok(Tree::on(self.readable(variable, span)?))
+            }
+            ExprKind::Convert(_) | ExprKind::Call(..) => {
+                Err(self.cannot(span, "functions and conversions", "an expression with one"))
+            }
             ExprKind::Not(operand) => {
                 let tree = self.condition(operand, span)?;
                 Ok(tree.inverted().expect("an expression has no bridges"))
@@ -23,7 +29,11 @@ impl Compiler<'_> {
                     BinaryOp::And => Ok(Tree::series([a, b])),
                     BinaryOp::Or => Ok(Tree::parallel([a, b])),
                     BinaryOp::Xor => self.differ(a, b),
-                    BinaryOp::Add | BinaryOp::Subtract => unreachable!("a BOOL has no sum"),
+                    BinaryOp::Add
+                    | BinaryOp::Subtract
+                    | BinaryOp::Multiply
+                    | BinaryOp::Divide
+                    | BinaryOp::Modulo => unreachable!("a BOOL is no number"),
                 }
             }
             ExprKind::Compare(_, a, _) if a.ty != Type::Bool => {
@@ -49,7 +59,8 @@ impl Compiler<'_> {
     /// contacts first.
     fn differ(&mut self, a: Tree, b: Tree) -> Done<Tree> {
         let (a, b) = (self.single(Power::Drawn(a))?, self.single(Power::Drawn(b))?);
-        let not = |contact: Contact| Tree::Contact(Contact { negated: !contact.negated, ..contact });
+        let not =
+            |contact: Contact| Tree::Contact(Contact { negated: !contact.negated, ..contact });
         Ok(Tree::parallel([
             Tree::series([Tree::Contact(a), not(b)]),
             Tree::series([not(a), Tree::Contact(b)]),
