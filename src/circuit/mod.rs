@@ -6,7 +6,8 @@
 
 mod builder;
 mod flatten;
-mod simplify;
+mod passes;
+mod ranges;
 mod simulate;
 mod validate;
 
@@ -14,7 +15,7 @@ use std::sync::Arc;
 
 use la_arena::{Arena, Idx};
 
-pub use simplify::simplify;
+pub use passes::simplify;
 pub use simulate::Simulator;
 pub use validate::{Invalid, Valid};
 
