@@ -1,52 +1,14 @@
 //! The command line as a user meets it: exit codes, files, and what is never overwritten.
 
+mod common;
+
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
+use std::process::{Command, Stdio};
+
+use common::folder::{Folder, Run};
 
 const GOOD: &str = "ladder good  input a  output y  rung a (y)";
-
-struct Folder(tempfile::TempDir);
-
-impl Folder {
-    fn new() -> Self {
-        Folder(tempfile::tempdir().unwrap())
-    }
-
-    fn write(&self, name: &str, text: &str) {
-        fs::write(self.path(name), text).unwrap();
-    }
-
-    fn read(&self, name: &str) -> String {
-        fs::read_to_string(self.path(name)).unwrap()
-    }
-
-    fn path(&self, name: &str) -> std::path::PathBuf {
-        self.0.path().join(name)
-    }
-
-    fn run(&self, arguments: &[&str]) -> Run {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_hotrail"));
-        Run::new(command.args(arguments).current_dir(self.0.path()).output().unwrap())
-    }
-}
-
-struct Run {
-    code: i32,
-    out: String,
-    err: String,
-}
-
-impl Run {
-    fn new(output: Output) -> Self {
-        let text = |bytes| String::from_utf8(bytes).unwrap();
-        Run {
-            code: output.status.code().unwrap(),
-            out: text(output.stdout),
-            err: text(output.stderr),
-        }
-    }
-}
 
 fn is_empty(folder: &Path) -> bool {
     fs::read_dir(folder).is_ok_and(|mut entries| entries.next().is_none())
@@ -64,6 +26,26 @@ fn exit_codes_tell_success_fault_and_wrong_use() {
     let missing = folder.run(&["check", "missing.ladder"]);
     assert_eq!(missing.code, 1);
     assert!(missing.err.starts_with("error[E0601]: missing.ladder: "), "{}", missing.err);
+}
+
+#[test]
+fn a_file_larger_than_allowed_is_one_finding_in_every_form() {
+    let folder = Folder::new();
+    folder.write("large.ladder", &format!("{GOOD}{}", " ".repeat(1 << 20)));
+    let form = |form| {
+        let run =
+            folder.run(&["check", "large.ladder", "--max-size", "1", "--message-format", form]);
+        assert_eq!(run.code, 1);
+        run.err
+    };
+    assert!(form("human").contains("--max-size"), "{}", form("human"));
+    assert_eq!(form("short"), "large.ladder: error[E0601]: larger than 1 MiB\n");
+    let found: serde_json::Value = serde_json::from_str(&form("json")).unwrap();
+    assert_eq!(found["code"], "E0601");
+    assert_eq!(found["file"], "large.ladder");
+    assert!(found["primary"].is_null());
+    assert_eq!(folder.run(&["check", "large.ladder", "--max-size", "2"]).code, 0);
+    assert_eq!(folder.run(&["check", "large.ladder", "--max-size", "0"]).code, 2);
 }
 
 #[test]
@@ -236,7 +218,7 @@ fn a_new_project_works_as_its_readme_says() {
         let refused = folder.run(&["new", name]);
         assert_eq!(refused.code, 1, "{name}: {}", refused.err);
     }
-    assert_eq!(fs::read_dir(folder.0.path()).unwrap().count(), 1);
+    assert_eq!(fs::read_dir(folder.path("")).unwrap().count(), 1);
 }
 
 /// A write that fails halfway leaves the folder as it was.
@@ -254,7 +236,7 @@ fn a_full_disk_leaves_the_old_files() {
         env!("CARGO_BIN_EXE_hotrail")
     );
     let mut shell = Command::new("sh");
-    let run = Run::new(shell.args(["-c", &script]).current_dir(folder.0.path()).output().unwrap());
+    let run = Run::new(shell.args(["-c", &script]).current_dir(folder.path("")).output().unwrap());
     assert_eq!(run.code, 1);
     assert!(run.err.contains("E0602"), "{}", run.err);
     assert_eq!(folder.read("out/good.v"), before);
@@ -486,7 +468,7 @@ fn a_reader_that_goes_away_is_no_mistake() {
         env!("CARGO_BIN_EXE_hotrail")
     );
     let mut shell = Command::new("sh");
-    let run = Run::new(shell.args(["-c", &script]).current_dir(folder.0.path()).output().unwrap());
+    let run = Run::new(shell.args(["-c", &script]).current_dir(folder.path("")).output().unwrap());
     assert_eq!(run.err, "");
 }
 
@@ -534,7 +516,7 @@ fn fmt_rewrites_files_in_place_and_once() {
     assert_eq!((run.code, run.out.as_str(), run.err.as_str()), (0, "", ""));
     assert_eq!(folder.read("loose.ladder"), LAID_OUT);
     assert_eq!(modified(), before, "what is formatted already is not written again");
-    assert_eq!(fs::read_dir(folder.0.path()).unwrap().count(), 2, "no temporary file is left");
+    assert_eq!(fs::read_dir(folder.path("")).unwrap().count(), 2, "no temporary file is left");
     assert_eq!(folder.run(&["fmt", "--check", "loose.ladder", "good.ladder"]).code, 0);
 }
 
@@ -602,4 +584,50 @@ fn fmt_keeps_permissions_and_follows_no_link() {
     assert_eq!(folder.run(&["fmt", "loose.ladder"]).code, 0);
     assert_eq!(folder.read("loose.ladder"), LAID_OUT);
     assert_eq!(fs::metadata(&path).unwrap().permissions().mode() & 0o777, 0o640);
+}
+
+#[test]
+fn a_ladder_is_drawn_on_standard_output() {
+    let folder = Folder::new();
+    folder.write("a.ladder", "ladder one  input a  output y, z  rung \"lamp\" a (y)  rung !a (z)");
+    let all = folder.run(&["draw", "a.ladder"]);
+    assert_eq!((all.code, all.err.as_str()), (0, ""));
+    assert!(all.out.contains("┤ ├") && all.out.contains("┤/├"), "{}", all.out);
+    let first = folder.run(&["draw", "a.ladder", "--rung", "lam", "--ascii"]);
+    assert!(first.out.contains("| |") && !first.out.contains("|/|"), "{}", first.out);
+    let second = folder.run(&["draw", "a.ladder", "--rung", "2"]);
+    assert!(!second.out.contains("┤ ├") && second.out.contains("┤/├"), "{}", second.out);
+    let none = folder.run(&["draw", "a.ladder", "--rung", "pump"]);
+    assert_eq!((none.code, none.out.as_str()), (1, ""));
+    assert!(none.err.contains("no rung has the number or the title `pump`"), "{}", none.err);
+    assert_eq!(folder.run(&["draw", "a.ladder", "--width", "20"]).code, 2);
+    folder.write("bad.ladder", "ladder bad  rung q (y)");
+    let bad = folder.run(&["draw", "a.ladder", "bad.ladder"]);
+    assert_eq!((bad.code, bad.out.as_str()), (1, ""));
+}
+
+#[test]
+fn pictures_go_to_a_folder_or_to_standard_output() {
+    let folder = Folder::new();
+    folder.write("a.ladder", GOOD);
+    folder.write("b.ladder", &GOOD.replace("good", "other"));
+    let draw = ["draw", "--format", "svg", "a.ladder"];
+    let shown = folder.run(&draw).out;
+    assert!(shown.starts_with("<svg ") && shown.ends_with("</svg>\n"), "{shown}");
+    let into = |more: &[&str]| folder.run(&[&draw[..], &["b.ladder"], more].concat());
+    assert_eq!(into(&[]).code, 1);
+    assert_eq!(into(&["-o", "out"]).code, 0);
+    assert_eq!(folder.read("out/good.svg"), shown);
+    // What `build` writes is the same, and what is ours is replaced.
+    let build = ["build", "a.ladder", "-o", "out", "--emit", "svg"];
+    assert_eq!(folder.run(&build).code, 0);
+    assert_eq!(folder.read("out/good.svg"), shown);
+    folder.write("out/other.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\">mine</svg>");
+    let refused = into(&["-o", "out"]);
+    assert_eq!(refused.code, 1);
+    assert!(refused.err.contains("was not made by hotrail"), "{}", refused.err);
+    assert_eq!(into(&["-o", "out", "--force"]).code, 0);
+    assert_eq!(folder.run(&["draw", "a.ladder", "-o", "out"]).code, 1);
+    let check = folder.run(&["build", "a.ladder", "-o", "out", "--emit", "svg", "--check"]);
+    assert_eq!((check.code, check.out.as_str()), (0, ""));
 }

@@ -3,9 +3,11 @@
 use super::reference::Resolved;
 use super::{Checked, Checker, Reported};
 use crate::diagnostic::{Diagnostic, code};
-use crate::model::{self, CoilAction, Element, Role, Variable, VariableId};
+use crate::model::{
+    self, CoilAction, Element, Expr, ExprKind, Relation, Role, Variable, VariableId,
+};
 use crate::source::Span;
-use crate::syntax::ast::{self, Edge, ElementKind, Reference, Rung, Series};
+use crate::syntax::ast::{self, BinaryOperator, Edge, ElementKind, Reference, Rung, Series};
 use crate::types::Type;
 
 /// Where a network stands, which decides what may stand in it.
@@ -15,6 +17,8 @@ pub(super) enum Place {
     Rung,
     /// An argument of a call: no outputs, no blocks.
     Argument,
+    /// A connection of a general network: only what conducts or not, whatever the power.
+    Connection,
     /// An expectation of a test: only what looks and keeps nothing.
     Expectation,
 }
@@ -49,6 +53,12 @@ impl<'s> Checker<'s> {
                          `{one_shot} (y)` or `({contact} y)`"
                     ))
                 }
+                ElementKind::Compare(expr) => match assigned(expr) {
+                    Some(name) => diagnostic
+                        .also(last.span, "a comparison")
+                        .help(format!("to write `{name}`, assign with `:=`: {{ {name} := ... }}")),
+                    None => diagnostic,
+                },
                 _ => diagnostic,
             };
             self.report(diagnostic);
@@ -67,7 +77,10 @@ impl<'s> Checker<'s> {
         }
         let mut elements = Vec::with_capacity(series.elements.len());
         for element in &series.elements {
-            elements.extend(self.element(element, place).ok());
+            let Ok(element) = self.element(element, place) else { continue };
+            let entailed = self.entailed(&element);
+            elements.push(element);
+            elements.extend(entailed);
         }
         elements
     }
@@ -113,14 +126,29 @@ impl<'s> Checker<'s> {
                 self.assignment(target, value, element.span)?
             }
             ElementKind::Call(call) => Element::Call(self.call(call)?),
-            ElementKind::Net(_) => {
-                let message = "general networks are not supported yet";
-                let diagnostic = Diagnostic::new(code::NOT_YET, element.span, message)
-                    .label("a network")
-                    .help("write the paths as the branches of a list");
-                return Err(self.report(diagnostic));
-            }
+            ElementKind::Net(net) => Element::Net(self.net(net, element.span)?),
         })
+    }
+
+    /// What stands behind a write of a block's accumulator: where it becomes 0, so does the
+    /// fraction of a unit that has been counted.
+    fn entailed(&self, element: &Element) -> Option<Element> {
+        let &Element::Assign { target, span, .. } = element else { return None };
+        let Variable { ty, role: Role::Member(instance, port), .. } =
+            self.program.variables[target]
+        else {
+            return None;
+        };
+        let instance = &self.program.instances[instance];
+        let fraction = instance.shape.port_named(instance.shape.ports[port].fraction?)?;
+        let fraction = instance.members[fraction];
+        let zero = |ty| Expr { ty, kind: ExprKind::Constant(0) };
+        let written = Expr { ty, kind: ExprKind::Read(target) };
+        let kind = ExprKind::Compare(Relation::Equal, Box::new(written), Box::new(zero(ty)));
+        let is_zero = Element::Compare(Expr { ty: Type::Bool, kind }, span);
+        let value = zero(self.program.variables[fraction].ty);
+        let clear = Element::Assign { target: fraction, value, span };
+        Some(Element::Parallel(vec![vec![is_zero, clear], vec![Element::Constant(true)]]))
     }
 
     fn check_place(&mut self, element: &ast::Element<'s>, place: Place) -> Checked<()> {
@@ -140,7 +168,25 @@ impl<'s> Checker<'s> {
                 "name the contacts that must conduct, for instance: expect motor !lamp",
             ),
             (
-                ElementKind::Edge { .. } | ElementKind::OneShot(_) | ElementKind::Invert,
+                ElementKind::Coil { .. } | ElementKind::Assign { .. } | ElementKind::Call(_),
+                Place::Connection,
+            ) => (
+                "a connection cannot hold outputs and blocks",
+                "put it behind the network, or into a rung of its own",
+            ),
+            (ElementKind::OneShot(_) | ElementKind::Invert, Place::Connection) => (
+                "a connection conducts or not, whatever the power",
+                "use contacts, such as `!x` and `rise(x)`, or put it behind the network",
+            ),
+            (ElementKind::Net(_), Place::Connection) => (
+                "a network cannot stand in a connection",
+                "connect the inner nodes here, under names of their own",
+            ),
+            (
+                ElementKind::Edge { .. }
+                | ElementKind::OneShot(_)
+                | ElementKind::Invert
+                | ElementKind::Net(_),
                 Place::Expectation,
             ) => (
                 "an expectation looks at one moment only",
@@ -200,6 +246,7 @@ impl<'s> Checker<'s> {
     ) -> Checked<Element> {
         let variable = match self.resolve(target)? {
             Resolved::Instance(instance) if action == ast::CoilAction::Reset => {
+                self.resettable(instance, span)?;
                 return Ok(Element::ResetInstance(instance));
             }
             resolved => self.writable(resolved, target)?,
@@ -227,6 +274,22 @@ impl<'s> Checker<'s> {
         Ok(Element::Coil { target: variable, action, span })
     }
 
+    fn resettable(&mut self, instance: model::InstanceId, span: Span) -> Checked<()> {
+        let instance = &self.program.instances[instance];
+        let block = instance.shape.block;
+        if block.can_reset {
+            return Ok(());
+        }
+        let message = format!("the {} `{}` cannot be reset", block.title, instance.name);
+        let diagnostic = Diagnostic::new(code::MISPLACED, span, message)
+            .label("a reset of an off-delay timer")
+            .help(format!(
+                "to end the delay, assign the preset: {{ {0}.ACC := {0}.PRE }}",
+                instance.name
+            ));
+        Err(self.report(diagnostic))
+    }
+
     fn assignment(
         &mut self,
         target: &Reference<'s>,
@@ -250,7 +313,7 @@ impl<'s> Checker<'s> {
                 "declare it with var or output".to_owned(),
             ),
             Resolved::Instance(instance) => {
-                let block = self.program.instances[instance].block;
+                let block = self.program.instances[instance].shape.block;
                 (
                     format!("`{name}` is a block ({}), not a variable", block.name),
                     "a block instance",
@@ -287,11 +350,14 @@ impl<'s> Checker<'s> {
         port: usize,
     ) -> Option<(String, &'static str, String)> {
         let instance = &self.program.instances[instance];
-        let member = &instance.block.ports[port];
+        let member = &instance.shape.ports[port];
         let name = format!("{}.{}", instance.name, member.name);
+        if member.role.is_loaded() {
+            return None;
+        }
         if !member.role.is_parameter() {
             return Some((
-                format!("`{name}` is an output of the block {}", instance.block.name),
+                format!("`{name}` is an output of the block {}", instance.shape.block.name),
                 "written by the block alone",
                 format!("to reset it write (R {})", instance.name),
             ));
@@ -349,4 +415,13 @@ fn has_output(series: &Series<'_>) -> bool {
         ElementKind::Parallel(branches) => branches.iter().any(has_output),
         _ => false,
     })
+}
+
+/// The name at the left of a comparison that starts as an assignment would, but for its `:`.
+fn assigned<'s>(expr: &ast::Expr<'s>) -> Option<&'s str> {
+    let ast::ExprKind::Binary(operator, left, _) = &expr.kind else { return None };
+    match (&left.kind, operator) {
+        (ast::ExprKind::Reference(target), BinaryOperator::Equal) => Some(target.name.text),
+        _ => assigned(left),
+    }
 }

@@ -134,6 +134,7 @@ codes! {
     Error E0302 NO_OUTPUT "a rung has no coil, assignment or block"
     Error E0303 NOT_WRITABLE "this cannot be written"
     Error E0304 MISPLACED "this element cannot stand here"
+    Error E0305 BAD_NETWORK "the nodes of a network are connected wrongly"
     // Blocks
     Error E0401 UNKNOWN_BLOCK "there is no block of that kind"
     Error E0402 BAD_ARGUMENT "the arguments do not fit the block"
@@ -145,6 +146,14 @@ codes! {
     Error E0601 CANNOT_READ "a file cannot be read"
     Error E0602 CANNOT_WRITE "a file cannot be written"
     Error E0603 SAME_NAME "two programs would write the same file"
+    // Stimuli
+    Error E0701 BAD_STIMULUS "a stimulus is no table of inputs and scans"
+    Error E0702 BAD_COLUMN "a column of a stimulus is no input"
+    Error E0703 BAD_CELL "a value of a stimulus does not fit its input"
+    // The ladder processor
+    Error E0801 NOT_ON_PROCESSOR "the ladder processor cannot do this"
+    Error E0802 PROCESSOR_FULL "the ladder processor has no room for this"
+    Error E0803 BAD_IMAGE "a file is no image that the ladder processor can run"
 
     // Allowing
     Warning W0001 BAD_ALLOW "an allow names nothing that can be allowed"
@@ -163,6 +172,8 @@ codes! {
     Note W0306 LONG_RUNG "a rung has very many elements"
     Note W0307 DEEP_RUNG "a rung has lists nested very deep"
     Warning W0308 NO_RUNGS "the program has no rungs"
+    Warning W0309 DEAD_END "a part of a network never carries power to the right"
+    Warning W0310 AT_RAIL "a `not` or a one-shot stands where the power is always on"
     // Blocks
     Warning W0401 PRESET_ZERO "the preset of a timer or counter is 0"
     Warning W0402 NEVER_RESET "nothing resets a counter or retentive timer"

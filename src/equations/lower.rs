@@ -1,7 +1,6 @@
 //! From networks to equations: series become `All`, parallel branches `Any`.
 
 use super::{Equations, Expr, ExprId, ExprOp, Operands, Step, StepId, StepKind};
-use crate::blocks::PortRole;
 use crate::index::index;
 use crate::model::{
     self, ArgumentValue, Call, CoilAction, Edge, Element, ExprKind, Program, Role, Series,
@@ -13,6 +12,11 @@ use crate::types::Type;
 pub fn lower(program: &Program) -> Equations {
     let mut lowering = Lowering::new(program);
     let first_scan = program.with_role(Role::FirstScan).next().map(|(id, _)| id);
+    lowering.rung = Step::NO_RUNG;
+    for unit in &program.units {
+        let power = lowering.constant(false);
+        lowering.call(unit, power);
+    }
     for (index, rung) in program.rungs.iter().enumerate() {
         lowering.rung = index as u32;
         lowering.series(&rung.network, Vec::new());
@@ -38,9 +42,9 @@ pub fn lower_expectation(program: &Program, network: &Series) -> (Equations, Vec
     (lowering.equations, elements)
 }
 
-struct Lowering<'p> {
+pub(super) struct Lowering<'p> {
     program: &'p Program,
-    equations: Equations,
+    pub(super) equations: Equations,
     rung: u32,
     /// The newest write of each variable.
     writer: Vec<Option<StepId>>,
@@ -49,7 +53,7 @@ struct Lowering<'p> {
 }
 
 /// The power at a place, as factors that must all be 1; none means power 1.
-type Power = Vec<ExprId>;
+pub(super) type Power = Vec<ExprId>;
 
 impl<'p> Lowering<'p> {
     fn new(program: &'p Program) -> Self {
@@ -67,7 +71,7 @@ impl<'p> Lowering<'p> {
         self.equations.exprs.alloc(Expr { op, ty })
     }
 
-    fn constant(&mut self, value: bool) -> ExprId {
+    pub(super) fn constant(&mut self, value: bool) -> ExprId {
         self.add(ExprOp::Constant(value.into()), Type::Bool)
     }
 
@@ -83,7 +87,7 @@ impl<'p> Lowering<'p> {
     }
 
     /// One expression for the power.
-    fn all(&mut self, power: Power) -> ExprId {
+    pub(super) fn all(&mut self, power: Power) -> ExprId {
         match power.as_slice() {
             [] => self.constant(true),
             [one] => *one,
@@ -94,7 +98,7 @@ impl<'p> Lowering<'p> {
         }
     }
 
-    fn any(&mut self, branches: &[ExprId]) -> ExprId {
+    pub(super) fn any(&mut self, branches: &[ExprId]) -> ExprId {
         if let [one] = branches {
             return *one;
         }
@@ -128,7 +132,7 @@ impl<'p> Lowering<'p> {
         self.written(target, step);
     }
 
-    fn series(&mut self, series: &Series, power: Power) -> Power {
+    pub(super) fn series(&mut self, series: &Series, power: Power) -> Power {
         series.iter().fold(power, |power, element| self.element(element, power))
     }
 
@@ -163,9 +167,8 @@ impl<'p> Lowering<'p> {
             Element::ResetInstance(instance) => {
                 let now = self.all(power);
                 let step = self.step(StepKind::Reset { instance: *instance, power: now });
-                let members = &self.program.instances[*instance];
-                for (port, &member) in members.block.ports.iter().zip(&members.members) {
-                    if port.role == PortRole::Output {
+                for (port, member, _) in self.program.instances[*instance].cleared(self.program) {
+                    if port.role.is_result() {
                         self.written(member, step);
                     }
                 }
@@ -183,6 +186,7 @@ impl<'p> Lowering<'p> {
                 let now = self.all(power);
                 power = vec![self.call(call, now)];
             }
+            Element::Net(net) => power.extend(self.net(net)),
         }
         power
     }
@@ -255,15 +259,14 @@ impl<'p> Lowering<'p> {
             })
             .collect();
         let given: Vec<usize> = arguments.iter().map(|&(port, _)| port).collect();
-        let step = self.step(StepKind::Call { instance: call.instance, power, arguments });
-        for (index, (port, &member)) in
-            instance.block.ports.iter().zip(&instance.members).enumerate()
-        {
-            if port.role == PortRole::Output || given.contains(&index) {
+        let shape = call.shape.clone();
+        let step = self.step(StepKind::Call { instance: call.instance, shape, power, arguments });
+        for (index, (port, &member)) in call.shape.ports.iter().zip(&instance.members).enumerate() {
+            if port.role.is_result() || given.contains(&index) {
                 self.written(member, step);
             }
         }
-        match instance.block.main_port() {
+        match call.shape.main_port() {
             Some(port) => self.read(instance.members[port]),
             None => power,
         }
@@ -296,7 +299,8 @@ fn only_looks(series: &Series) -> bool {
         Element::Constant(_)
         | Element::Contact { .. }
         | Element::Edge { .. }
-        | Element::Compare(..) => true,
+        | Element::Compare(..)
+        | Element::Net(_) => true,
         Element::Parallel(branches) => branches.iter().all(only_looks),
         Element::OneShot { .. }
         | Element::Invert

@@ -2,7 +2,7 @@
 
 use crate::index::index;
 use crate::model::{
-    Argument, ArgumentValue, Call, CoilAction, Element, Expr, ExprKind, InstanceId, Program,
+    Argument, ArgumentValue, Call, CoilAction, Element, Expr, ExprKind, InstanceId, Net, Program,
     Relation, Series, Statement, VariableId,
 };
 use crate::source::Span;
@@ -60,8 +60,8 @@ pub(super) struct Index<'p> {
     pub program: &'p Program,
     pub reads: Vec<Read>,
     pub writes: Vec<Write>,
-    pub calls: Vec<&'p Call>,
     pub comparisons: Vec<Comparison<'p>>,
+    pub nets: Vec<&'p Net>,
     /// For each rung.
     pub sizes: Vec<Size>,
     /// For each variable, the number of its reads in rungs.
@@ -76,7 +76,7 @@ pub(super) struct Index<'p> {
     starts: Vec<u32>,
     /// For each instance, whether there is an `(R name)`.
     reset: Vec<bool>,
-    /// For each instance, its call.
+    /// For each instance, its call; where it has two, the first.
     call_of: Vec<Option<&'p Call>>,
 }
 
@@ -98,9 +98,11 @@ impl<'p> Index<'p> {
         tests.reads.iter().for_each(|read| read_by_tests[index(read.variable)] = true);
         let mut read_counts = vec![0; program.variables.len()];
         walk.reads.iter().for_each(|read| read_counts[index(read.variable)] += 1);
-        let Walk { reads, writes, calls, comparisons, reset, .. } = walk;
+        let Walk { reads, writes, calls, comparisons, nets, reset, .. } = walk;
         let mut call_of = vec![None; program.instances.len()];
-        calls.iter().for_each(|&call| call_of[index(call.instance)] = Some(call));
+        for &call in &calls {
+            call_of[index(call.instance)].get_or_insert(call);
+        }
         let mut writes_by_variable = writes.clone();
         // The sort is stable, so the writes of a variable stay in text order.
         writes_by_variable.sort_by_key(|write| index(write.variable));
@@ -113,8 +115,8 @@ impl<'p> Index<'p> {
             program,
             reads,
             writes,
-            calls,
             comparisons,
+            nets,
             sizes,
             read_counts,
             rungs,
@@ -167,7 +169,13 @@ impl<'p> Index<'p> {
 
     /// What the call of an instance gives to a parameter.
     pub fn argument(&self, instance: InstanceId, port: usize) -> Option<&'p Argument> {
-        self.call_of[index(instance)]?.arguments.iter().find(|argument| argument.port == port)
+        let call = self.call_of[index(instance)]?;
+        call.arguments.iter().chain(&call.starts).find(|argument| argument.port == port)
+    }
+
+    /// The call of each instance, without second calls.
+    pub fn calls(&self) -> impl Iterator<Item = &'p Call> {
+        self.call_of.iter().flatten().copied()
     }
 
     /// True if a coil resets the instance.
@@ -185,6 +193,7 @@ struct Walk<'p> {
     writes: Vec<Write>,
     calls: Vec<&'p Call>,
     comparisons: Vec<Comparison<'p>>,
+    nets: Vec<&'p Net>,
     reset: Vec<bool>,
 }
 
@@ -198,6 +207,7 @@ impl<'p> Walk<'p> {
             writes: Vec::new(),
             calls: Vec::new(),
             comparisons: Vec::new(),
+            nets: Vec::new(),
             reset: vec![false; program.instances.len()],
         }
     }
@@ -250,12 +260,18 @@ impl<'p> Walk<'p> {
                 self.write(*target, Writing::Assign, *span);
             }
             Element::Call(call) => self.call(call),
+            Element::Net(net) => {
+                self.size.elements -= 1;
+                self.nets.push(net);
+                let connections = &net.connections;
+                connections.iter().for_each(|one| self.series(&one.network, nesting + 1));
+            }
         }
     }
 
     fn call(&mut self, call: &'p Call) {
         self.calls.push(call);
-        for argument in &call.arguments {
+        for argument in call.arguments.iter().chain(&call.starts) {
             match &argument.value {
                 // A network in an argument is drawn beside the rung: it starts anew.
                 ArgumentValue::Network(network) => self.series(network, 0),

@@ -3,9 +3,11 @@
 
 pub mod bench;
 pub mod designs;
+pub mod folder;
 pub mod generate;
 pub mod interpreter;
 pub mod proof;
+pub mod relay;
 pub mod shrink;
 
 use std::path::{Path, PathBuf};
