@@ -7,7 +7,7 @@ use crate::model::{
     self, CoilAction, Element, Expr, ExprKind, Relation, Role, Variable, VariableId,
 };
 use crate::source::Span;
-use crate::syntax::ast::{self, Edge, ElementKind, Reference, Rung, Series};
+use crate::syntax::ast::{self, BinaryOperator, Edge, ElementKind, Reference, Rung, Series};
 use crate::types::Type;
 
 /// Where a network stands, which decides what may stand in it.
@@ -53,6 +53,12 @@ impl<'s> Checker<'s> {
                          `{one_shot} (y)` or `({contact} y)`"
                     ))
                 }
+                ElementKind::Compare(expr) => match assigned(expr) {
+                    Some(name) => diagnostic
+                        .also(last.span, "a comparison")
+                        .help(format!("to write `{name}`, assign with `:=`: {{ {name} := ... }}")),
+                    None => diagnostic,
+                },
                 _ => diagnostic,
             };
             self.report(diagnostic);
@@ -409,4 +415,13 @@ fn has_output(series: &Series<'_>) -> bool {
         ElementKind::Parallel(branches) => branches.iter().any(has_output),
         _ => false,
     })
+}
+
+/// The name at the left of a comparison that starts as an assignment would, but for its `:`.
+fn assigned<'s>(expr: &ast::Expr<'s>) -> Option<&'s str> {
+    let ast::ExprKind::Binary(operator, left, _) = &expr.kind else { return None };
+    match (&left.kind, operator) {
+        (ast::ExprKind::Reference(target), BinaryOperator::Equal) => Some(target.name.text),
+        _ => assigned(left),
+    }
 }
