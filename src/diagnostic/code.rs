@@ -164,6 +164,8 @@ codes! {
     Warning W0103 INPUT_NEVER_READ "an input is never read"
     Warning W0104 OUTPUT_NEVER_WRITTEN "an output is never written"
     Warning W0105 NEVER_WRITTEN "a variable is read and never written"
+    // Types and values
+    Warning W0201 DIVIDER "a division needs a divider of its own"
     // Rungs
     Warning W0301 DOUBLE_COIL "a variable has two coils"
     Warning W0302 COIL_AND_LATCH "a variable has a coil and a set or reset coil"
