@@ -6,7 +6,7 @@ use super::net::{Connection, Net};
 use super::node::{Node, Series};
 use super::references::{References, Uses, coil_sign};
 use super::words::{harmless, lines, written};
-use crate::blocks::{self, PortRole};
+use crate::blocks::{self, Block, Follows, Port, PortRole};
 use crate::source::{Source, Span};
 use crate::syntax::ast::{
     self, ArgumentValue, BinaryOperator, Edge, ElementKind, Expr, ExprKind, Reference,
@@ -117,26 +117,15 @@ impl<'s> Builder<'_, 's> {
             let circuit = if is_circuit(name) { self.circuit(&argument.value) } else { None };
             (name, circuit.map_or_else(|| self.value(argument, end), Fed::Circuit))
         });
-        let mut given: Vec<(&str, Fed)> = given.collect();
+        let given: Vec<(&str, Fed)> = given.collect();
         let main = block.and_then(|block| block.main).unwrap_or("");
-        // The order of the ports: a box looks the same wherever it stands.
-        let parameters = ports.iter().filter(|port| port.role.is_parameter());
-        let inputs = parameters.map(|port| {
-            let found = given.iter().position(|(name, _)| *name == port.name);
-            let fed = found.map_or(Fed::Open, |index| given.swap_remove(index).1);
-            Input { name: port.name.to_owned(), fed }
-        });
-        let inputs = inputs.collect();
-        let outputs = ports
-            .iter()
-            .filter(|port| port.role == PortRole::Output && port.name != main)
-            .map(|port| port.name.to_owned());
+        let (inputs, outputs) = block.map(|block| pins(block, call, given)).unwrap_or_default();
         let drawn = Call {
             name: lines(&harmless(call.name.text), NAME),
             kind: harmless(call.kind.text),
             inputs,
             main: main.to_owned(),
-            outputs: outputs.collect(),
+            outputs,
             references: self.uses.readers(call.name.text),
         };
         drawn.into_node(id)
@@ -192,6 +181,46 @@ impl<'s> Builder<'_, 's> {
         };
         Net { connections: net.connections.iter().map(connection).collect() }
     }
+}
+
+/// The pins of a block besides those for the power, in the order of its ports: a box looks the same
+/// wherever it stands. What is fixed or has a start only has a pin where the call says it.
+fn pins(
+    block: &'static Block,
+    call: &ast::Call<'_>,
+    mut given: Vec<(&str, Fed)>,
+) -> (Vec<Input>, Vec<String>) {
+    let mut take = |name: &str| {
+        let found = given.iter().position(|(given, _)| *given == name);
+        found.map(|index| given.swap_remove(index).1)
+    };
+    let parameters = block.ports.iter().filter(|port| port.role.is_parameter());
+    let inputs = parameters.filter_map(|port| {
+        let fed = take(port.name).or((!port.role.is_loaded()).then_some(Fed::Open))?;
+        Some(Input { name: port.name.to_owned(), fed })
+    });
+    let mut inputs: Vec<Input> = inputs.collect();
+    for setting in block.settings {
+        let fed = take(setting.name);
+        inputs.extend(fed.map(|fed| Input { name: setting.name.to_owned(), fed }));
+    }
+    let items = |setting: &str| {
+        let list = call.arguments.iter().find(|argument| argument.name.text == setting);
+        match list.map(|argument| &argument.value) {
+            Some(ArgumentValue::List(items, _)) => items.len(),
+            _ => 0,
+        }
+    };
+    let is_output = |port: &&Port| {
+        let is_shown = matches!(port.role, PortRole::Output | PortRole::Shared { shown: true });
+        let is_there = match port.follows {
+            Follows::ItemOf(setting, item) => item < items(setting),
+            Follows::Nothing | Follows::TypeOf(_) => true,
+        };
+        is_shown && is_there && block.main != Some(port.name)
+    };
+    let outputs = block.ports.iter().filter(is_output).map(|port| port.name.to_owned());
+    (inputs, outputs.collect())
 }
 
 /// A contact that is normally open, or closed.
