@@ -7,7 +7,8 @@
 mod arithmetic;
 mod builder;
 mod flatten;
-mod simplify;
+mod passes;
+mod ranges;
 mod simulate;
 mod validate;
 
@@ -15,7 +16,7 @@ use std::sync::Arc;
 
 use la_arena::{Arena, Idx};
 
-pub use simplify::simplify;
+pub use passes::simplify;
 pub use simulate::Simulator;
 pub use validate::{Invalid, Valid};
 

@@ -5,10 +5,10 @@ use std::collections::HashMap;
 
 use la_arena::Arena;
 
-use super::flatten::copy_cell;
-use super::{
-    Cell, Circuit, Design, Instance, ModuleId, Net, Op, Operands, Output, Register, Section,
-    Signal, Version,
+use crate::circuit::flatten::copy_cell;
+use crate::circuit::{
+    Cell, Circuit, Design, Instance, InstanceId, ModuleId, Net, Op, Operands, Output, Register,
+    Section, Signal, Version,
 };
 use crate::index::index;
 
@@ -17,7 +17,7 @@ type PortSet = u64;
 
 /// Fits the modules of a design to their instances and drops what no output of the top needs.
 /// Modules that hold instances themselves are left as they are, but for the top.
-pub fn simplify(design: Design) -> Design {
+pub fn fit(design: Design) -> Design {
     let mut modules: Vec<Circuit> = design.modules.into_iter().map(|(_, module)| module).collect();
     let mut top = modules.pop().expect("a design has a top");
     let mut fitted = Fitted::default();
@@ -215,7 +215,7 @@ struct Keep<'a> {
     read: &'a [PortSet],
     live: &'a [bool],
     nets: Vec<Option<Net>>,
-    instances: Vec<Option<super::InstanceId>>,
+    instances: Vec<Option<InstanceId>>,
 }
 
 impl<'a> Keep<'a> {
