@@ -3,8 +3,8 @@
 use super::{Equations, Expr, ExprId, ExprOp, Operands, Step, StepId, StepKind};
 use crate::index::index;
 use crate::model::{
-    self, ArgumentValue, Call, CoilAction, Edge, Element, ExprKind, Program, Role, Series,
-    VariableId,
+    self, ArgumentValue, Call, CoilAction, Edge, Element, ExprKind, Program, Relation, Role,
+    Series, VariableId,
 };
 use crate::types::Type;
 
@@ -180,6 +180,7 @@ impl<'p> Lowering<'p> {
                 let off = self.read(*target);
                 let value = self.add(ExprOp::Select { power: now, on, off }, value.ty);
                 self.assign(*target, value);
+                self.clear_fraction(*target, now, on);
                 power = vec![now];
             }
             Element::Call(call) => {
@@ -189,6 +190,18 @@ impl<'p> Lowering<'p> {
             Element::Net(net) => power.extend(self.net(net)),
         }
         power
+    }
+
+    /// Clears what counts the parts of a unit where its accumulator is given 0.
+    fn clear_fraction(&mut self, target: VariableId, power: ExprId, value: ExprId) {
+        let Some(fraction) = self.program.fraction_of(target) else { return };
+        let ty = self.program.variables[fraction].ty;
+        let no_units = self.add(ExprOp::Constant(0), self.program.variables[target].ty);
+        let is_zero = self.add(ExprOp::Compare(Relation::Equal, value, no_units), Type::Bool);
+        let clears = self.all(vec![power, is_zero]);
+        let (on, off) = (self.add(ExprOp::Constant(0), ty), self.read(fraction));
+        let value = self.add(ExprOp::Select { power: clears, on, off }, ty);
+        self.assign(fraction, value);
     }
 
     /// 1 if `now` has changed since this element saw it last.

@@ -105,6 +105,11 @@ impl<'p> Evaluator<'p> {
                 let value = self.expr(value);
                 if power {
                     self.set(*target, value);
+                    if let Some(fraction) = self.program.fraction_of(*target)
+                        && value == 0
+                    {
+                        self.set(fraction, 0);
+                    }
                 }
                 power
             }
