@@ -4,6 +4,7 @@ mod blocks;
 mod build;
 mod check;
 mod completions;
+mod equations;
 mod explain;
 mod fmt;
 mod lints;
@@ -49,6 +50,7 @@ enum Command {
     Build(build::Options),
     Test(test::Options),
     Fmt(fmt::Options),
+    Equations(equations::Options),
     Explain(explain::Options),
     Blocks(blocks::Options),
     Completions(completions::Options),
@@ -130,6 +132,7 @@ pub fn run() -> ExitCode {
         Command::Build(options) => build::run(&options, &mut report),
         Command::Test(options) => test::run(&options, &mut report),
         Command::Fmt(options) => fmt::run(&options, &mut report),
+        Command::Equations(options) => equations::run(&options, &mut report),
         Command::Explain(options) => return exit_code(explain::run(&options)),
         Command::Blocks(options) => return exit_code(blocks::run(&options)),
         Command::Completions(options) => return exit_code(completions::run(&options)),

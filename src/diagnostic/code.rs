@@ -165,6 +165,7 @@ codes! {
     Note W0307 DEEP_RUNG "a rung has lists nested very deep"
     Warning W0308 NO_RUNGS "the program has no rungs"
     Warning W0309 DEAD_END "a part of a network never carries power to the right"
+    Note W0310 LONG_CHAIN "the longest chain of one scan may be too slow for the clock"
     // Blocks
     Warning W0401 PRESET_ZERO "the preset of a timer or counter is 0"
     Warning W0402 NEVER_RESET "nothing resets a counter or retentive timer"

@@ -2,6 +2,8 @@
 //! text. Each read names the write that it sees, so the order of evaluation is in the equations
 //! themselves.
 
+mod chain;
+mod graph;
 mod lower;
 mod networks;
 
@@ -10,6 +12,8 @@ use la_arena::{Arena, Idx};
 use crate::model::{BinaryOp, InstanceId, Relation, VariableId};
 use crate::types::Type;
 
+pub use chain::Chain;
+pub use graph::{Dependency, Graph, Kind, Resource};
 pub use lower::{lower, lower_expectation};
 
 /// An expression of the equations.
@@ -118,6 +122,31 @@ pub enum StepKind {
 }
 
 impl Equations {
+    /// Calls `tell` with each operand of an expression.
+    pub fn operands_of(&self, expr: ExprId, mut tell: impl FnMut(ExprId)) {
+        match self.exprs[expr].op {
+            ExprOp::Constant(_) | ExprOp::Read { .. } => {}
+            ExprOp::Not(operand) => tell(operand),
+            ExprOp::All(operands) | ExprOp::Any(operands) => {
+                self.list(operands).iter().for_each(|&operand| tell(operand));
+            }
+            ExprOp::Select { power, on, off } => [power, on, off].into_iter().for_each(tell),
+            ExprOp::Binary(_, a, b) | ExprOp::Compare(_, a, b) => [a, b].into_iter().for_each(tell),
+        }
+    }
+
+    /// The expressions that a step takes.
+    pub fn taken_by(&self, step: StepId) -> Vec<ExprId> {
+        match &self.steps[step as usize].kind {
+            StepKind::Assign { value, .. } => vec![*value],
+            StepKind::Call { power, arguments, .. } => {
+                let arguments = arguments.iter().map(|&(_, value)| value);
+                [*power].into_iter().chain(arguments).collect()
+            }
+            StepKind::Reset { power, .. } => vec![*power],
+        }
+    }
+
     /// The operands of an `All` or `Any`.
     pub fn list(&self, operands: Operands) -> &[ExprId] {
         &self.operands[operands.start as usize..][..operands.len as usize]
