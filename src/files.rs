@@ -5,11 +5,11 @@ use std::fs;
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
-use crate::backend::{Artifact, hdl};
+use crate::backend::{self, Artifact};
 use crate::diagnostic::{Code, code};
 use crate::source::Source;
 
-/// Largest source that is read, in bytes.
+/// Largest source that is read unless asked otherwise, in bytes.
 pub const LARGEST_SOURCE: u64 = 64 << 20;
 
 /// What went wrong with a file.
@@ -47,11 +47,19 @@ impl std::fmt::Display for FileError {
 
 impl std::error::Error for FileError {}
 
-/// Reads a source; `-` is standard input.
+/// Reads a source of at most [`LARGEST_SOURCE`]; `-` is standard input.
 ///
 /// # Errors
 /// If it cannot be read, is too large or is no UTF-8 text.
 pub fn read_source(path: &Path) -> Result<Source, FileError> {
+    read_source_up_to(path, LARGEST_SOURCE)
+}
+
+/// Reads a source of at most so many bytes; `-` is standard input.
+///
+/// # Errors
+/// If it cannot be read, is too large or is no UTF-8 text.
+pub fn read_source_up_to(path: &Path, largest: u64) -> Result<Source, FileError> {
     let fail = |problem: String| FileError::new(code::CANNOT_READ, path, problem);
     let from_stdin = path.as_os_str() == "-";
     let open = || -> io::Result<Box<dyn io::Read>> {
@@ -59,11 +67,11 @@ pub fn read_source(path: &Path) -> Result<Source, FileError> {
     };
     let mut bytes = Vec::new();
     open()
-        .and_then(|file| file.take(LARGEST_SOURCE + 1).read_to_end(&mut bytes))
+        .and_then(|file| file.take(largest + 1).read_to_end(&mut bytes))
         .map_err(|error| fail(error.to_string()))?;
-    if bytes.len() as u64 > LARGEST_SOURCE {
-        return Err(fail(format!("larger than {} MiB", LARGEST_SOURCE >> 20))
-            .help("split the program into several"));
+    if bytes.len() as u64 > largest {
+        return Err(fail(format!("larger than {} MiB", largest >> 20))
+            .help("split the program into several, or allow more with --max-size"));
     }
     let name = if from_stdin { "<stdin>".to_owned() } else { path.display().to_string() };
     match String::from_utf8(bytes) {
@@ -95,6 +103,7 @@ pub fn write_all(
         return Err(error.help("name a folder; the files in it are named after the program"));
     }
     fs::create_dir_all(folder).map_err(|error| cannot_write(folder, error))?;
+    let force = if force { Force::Yes } else { Force::No };
     let mut staged = Vec::new();
     for artifact in artifacts {
         let path = folder.join(&artifact.file_name);
@@ -102,6 +111,57 @@ pub fn write_all(
         staged.push(stage(path, &artifact.text, set_usual_permissions)?);
     }
     persist(staged)
+}
+
+/// Whether a file that hotrail did not make may be replaced.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Force {
+    /// The user asked for it.
+    Yes,
+    /// The user could ask for it.
+    No,
+    /// The command has no option for it.
+    Never,
+}
+
+/// A file that is written piece by piece and takes its name when it is complete.
+pub struct NewFile {
+    staged: Staged,
+    out: io::BufWriter<fs::File>,
+}
+
+impl NewFile {
+    /// A new file that is to have this path; the folder is made if it is not there.
+    ///
+    /// # Errors
+    /// As for [`write_all`].
+    pub fn create(path: &Path, sources: &[PathBuf]) -> Result<NewFile, FileError> {
+        check_target(path, sources, Force::Never)?;
+        if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
+            fs::create_dir_all(folder).map_err(|error| cannot_write(folder, error))?;
+        }
+        let staged = stage(path.to_owned(), "", set_usual_permissions)?;
+        let again = staged.file.as_file().try_clone();
+        let out = io::BufWriter::new(again.map_err(|error| cannot_write(path, error))?);
+        Ok(NewFile { staged, out })
+    }
+
+    /// Adds a piece.
+    ///
+    /// # Errors
+    /// If it cannot be written.
+    pub fn write(&mut self, piece: &[u8]) -> Result<(), FileError> {
+        self.out.write_all(piece).map_err(|error| cannot_write(&self.staged.path, error))
+    }
+
+    /// Gives the file its name.
+    ///
+    /// # Errors
+    /// If that cannot be done; there is no file then.
+    pub fn finish(mut self) -> Result<(), FileError> {
+        self.out.flush().map_err(|error| cannot_write(&self.staged.path, error))?;
+        persist(vec![self.staged])
+    }
 }
 
 /// Gives ordinary files a new text, all of them or none; they keep their permissions.
@@ -196,7 +256,7 @@ pub fn shared_names(artifacts: &[(PathBuf, Vec<Artifact>)]) -> Vec<FileError> {
 }
 
 /// Refuses to write where something would be lost that hotrail did not make.
-fn check_target(path: &Path, sources: &[PathBuf], force: bool) -> Result<(), FileError> {
+fn check_target(path: &Path, sources: &[PathBuf], force: Force) -> Result<(), FileError> {
     let Ok(metadata) = fs::symlink_metadata(path) else { return Ok(()) };
     let refuse = |problem: &str| FileError::new(code::CANNOT_WRITE, path, problem);
     if metadata.is_symlink() {
@@ -209,18 +269,20 @@ fn check_target(path: &Path, sources: &[PathBuf], force: bool) -> Result<(), Fil
     if !metadata.is_file() {
         return Err(refuse("is no ordinary file").help("remove it first"));
     }
-    if force || metadata.len() == 0 {
+    if force == Force::Yes || metadata.len() == 0 {
         return Ok(());
     }
     let mut start = Vec::new();
     let file = fs::File::open(path);
     file.and_then(|file| file.take(512).read_to_end(&mut start))
         .map_err(|error| refuse(&error.to_string()))?;
-    if hdl::bears_header(&String::from_utf8_lossy(&start)) {
+    if backend::bears_header(&String::from_utf8_lossy(&start)) {
         return Ok(());
     }
-    Err(refuse("is there and was not made by hotrail")
-        .help("use --force to replace it, or choose another folder"))
+    Err(refuse("is there and was not made by hotrail").help(match force {
+        Force::No => "use --force to replace it, or choose another folder",
+        Force::Yes | Force::Never => "remove it first, or choose another name",
+    }))
 }
 
 /// A temporary file is its owner's alone; an artifact is what `File::create` would make it.

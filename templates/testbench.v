@@ -73,7 +73,7 @@ module {{ bench.name }};
     {{ line.indent }}{{ signal }} = {{ width }}'d{{ bits }};
 {%- when LineKind::Scan with (times, with_tick) %}
     {{ line.indent }}scan({{ times }}, 1'b{{ with_tick }});
-{%- when LineKind::Repeat with (times) %}
+{%- when LineKind::Repeat with (times, _) %}
     {{ line.indent }}repeat ({{ times }}) begin
 {%- when LineKind::EndRepeat %}
     {{ line.indent }}end

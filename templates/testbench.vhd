@@ -109,8 +109,8 @@ begin
     {{ line.indent }}{{ signal }} <= {% if *width > 1 %}"{{ lines::binary(bits, width) }}"{% else %}'{{ bits }}'{% endif %};
 {%- when LineKind::Scan with (times, with_tick) %}
     {{ line.indent }}scan({{ times }}, '{{ with_tick }}');
-{%- when LineKind::Repeat with (times) %}
-    {{ line.indent }}for round in 1 to {{ times }} loop
+{%- when LineKind::Repeat with (times, counter) %}
+    {{ line.indent }}for {{ counter }} in 1 to {{ times }} loop
 {%- when LineKind::EndRepeat %}
     {{ line.indent }}end loop;
 {%- when LineKind::Reset %}

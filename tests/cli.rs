@@ -1,52 +1,14 @@
 //! The command line as a user meets it: exit codes, files, and what is never overwritten.
 
+mod common;
+
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
+use std::process::{Command, Stdio};
+
+use common::folder::{Folder, Run};
 
 const GOOD: &str = "ladder good  input a  output y  rung a (y)";
-
-struct Folder(tempfile::TempDir);
-
-impl Folder {
-    fn new() -> Self {
-        Folder(tempfile::tempdir().unwrap())
-    }
-
-    fn write(&self, name: &str, text: &str) {
-        fs::write(self.path(name), text).unwrap();
-    }
-
-    fn read(&self, name: &str) -> String {
-        fs::read_to_string(self.path(name)).unwrap()
-    }
-
-    fn path(&self, name: &str) -> std::path::PathBuf {
-        self.0.path().join(name)
-    }
-
-    fn run(&self, arguments: &[&str]) -> Run {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_hotrail"));
-        Run::new(command.args(arguments).current_dir(self.0.path()).output().unwrap())
-    }
-}
-
-struct Run {
-    code: i32,
-    out: String,
-    err: String,
-}
-
-impl Run {
-    fn new(output: Output) -> Self {
-        let text = |bytes| String::from_utf8(bytes).unwrap();
-        Run {
-            code: output.status.code().unwrap(),
-            out: text(output.stdout),
-            err: text(output.stderr),
-        }
-    }
-}
 
 fn is_empty(folder: &Path) -> bool {
     fs::read_dir(folder).is_ok_and(|mut entries| entries.next().is_none())
@@ -84,6 +46,26 @@ fn equations_have_three_forms() {
     assert!(dot.out.starts_with("digraph \"good\" {"), "{}", dot.out);
     let bad = folder.run(&["equations", "bad.ladder"]);
     assert!(bad.code == 1 && bad.out.is_empty() && bad.err.contains("E0101"), "{}", bad.err);
+}
+
+#[test]
+fn a_file_larger_than_allowed_is_one_finding_in_every_form() {
+    let folder = Folder::new();
+    folder.write("large.ladder", &format!("{GOOD}{}", " ".repeat(1 << 20)));
+    let form = |form| {
+        let run =
+            folder.run(&["check", "large.ladder", "--max-size", "1", "--message-format", form]);
+        assert_eq!(run.code, 1);
+        run.err
+    };
+    assert!(form("human").contains("--max-size"), "{}", form("human"));
+    assert_eq!(form("short"), "large.ladder: error[E0601]: larger than 1 MiB\n");
+    let found: serde_json::Value = serde_json::from_str(&form("json")).unwrap();
+    assert_eq!(found["code"], "E0601");
+    assert_eq!(found["file"], "large.ladder");
+    assert!(found["primary"].is_null());
+    assert_eq!(folder.run(&["check", "large.ladder", "--max-size", "2"]).code, 0);
+    assert_eq!(folder.run(&["check", "large.ladder", "--max-size", "0"]).code, 2);
 }
 
 #[test]
@@ -256,7 +238,7 @@ fn a_new_project_works_as_its_readme_says() {
         let refused = folder.run(&["new", name]);
         assert_eq!(refused.code, 1, "{name}: {}", refused.err);
     }
-    assert_eq!(fs::read_dir(folder.0.path()).unwrap().count(), 1);
+    assert_eq!(fs::read_dir(folder.path("")).unwrap().count(), 1);
 }
 
 /// A write that fails halfway leaves the folder as it was.
@@ -274,7 +256,7 @@ fn a_full_disk_leaves_the_old_files() {
         env!("CARGO_BIN_EXE_hotrail")
     );
     let mut shell = Command::new("sh");
-    let run = Run::new(shell.args(["-c", &script]).current_dir(folder.0.path()).output().unwrap());
+    let run = Run::new(shell.args(["-c", &script]).current_dir(folder.path("")).output().unwrap());
     assert_eq!(run.code, 1);
     assert!(run.err.contains("E0602"), "{}", run.err);
     assert_eq!(folder.read("out/good.v"), before);
@@ -506,7 +488,7 @@ fn a_reader_that_goes_away_is_no_mistake() {
         env!("CARGO_BIN_EXE_hotrail")
     );
     let mut shell = Command::new("sh");
-    let run = Run::new(shell.args(["-c", &script]).current_dir(folder.0.path()).output().unwrap());
+    let run = Run::new(shell.args(["-c", &script]).current_dir(folder.path("")).output().unwrap());
     assert_eq!(run.err, "");
 }
 
@@ -554,7 +536,7 @@ fn fmt_rewrites_files_in_place_and_once() {
     assert_eq!((run.code, run.out.as_str(), run.err.as_str()), (0, "", ""));
     assert_eq!(folder.read("loose.ladder"), LAID_OUT);
     assert_eq!(modified(), before, "what is formatted already is not written again");
-    assert_eq!(fs::read_dir(folder.0.path()).unwrap().count(), 2, "no temporary file is left");
+    assert_eq!(fs::read_dir(folder.path("")).unwrap().count(), 2, "no temporary file is left");
     assert_eq!(folder.run(&["fmt", "--check", "loose.ladder", "good.ladder"]).code, 0);
 }
 

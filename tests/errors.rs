@@ -11,7 +11,8 @@ use hotrail::diagnostic::{self, Diagnostic, code};
 use hotrail::source::Source;
 
 /// Codes that no text can have, because they are about files and runs of tests.
-const COMMAND_LINE_ONLY: &[&str] = &["E0005", "E0502", "E0601", "E0602", "E0603"];
+const COMMAND_LINE_ONLY: &[&str] =
+    &["E0005", "E0502", "E0601", "E0602", "E0603", "E0701", "E0702", "E0703"];
 
 /// Longer than any of these texts takes, shorter than anything that grows without bound.
 const PATIENCE: Duration = Duration::from_secs(20);

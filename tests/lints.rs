@@ -107,6 +107,11 @@ fn a_preset_may_be_assigned_or_a_variable() {
     assert_eq!(preset("t:TON()", "rung b { t.PT := 5s }"), "");
     assert_eq!(preset("t:TON(PT := p)", "var p : TIME\nrung b { p := 5s }"), "");
     assert_eq!(preset("t:TON(PT := P)", "const P := 0s"), "W0401 PT := P");
+    // A counter that is there for its count needs none.
+    let count = "output n : INT\nrung { n := c.CV }";
+    assert_eq!(preset("c:CTU(R := b)", count), "");
+    assert_eq!(preset("c:CTU(R := b)", ""), "W0401 c");
+    assert_eq!(preset("c:CTU(R := b, PV := 0)", count), "W0401 PV := 0");
 }
 
 #[test]
@@ -152,12 +157,14 @@ fn a_comment_allows_what_it_belongs_to() {
         ("/* allow(unused) */ var m\nvar n", "W0101 n"),
         // Further comments and empty lines may stand between.
         ("// allow(unused)\n\n// for later\nvar m\nvar n", "W0101 n"),
-        // For a rung: above it, or on its first line; on another line for that line.
+        // For a rung: above it, or on its first or last line; on another line for that line.
         ("// allow(W0303)\nrung\na\n(S y)", "W0302 (S y)"),
         ("// allow(W0302, W0303)\nrung\na\n(S y)", ""),
         ("rung // allow(COIL-AND-LATCH)\na\n(S y)", ""),
         ("rung\na // allow(W0302)\n(S y)", "W0302 (S y)"),
         ("rung\na\n(S y) // allow(W0302)", ""),
+        ("output z\nrung a (S y)\n( z ) // allow(W0302)", ""),
+        ("output z\nrung a (S y)\n( z )\n// allow(W0302)", "W0302 (S y)"),
         // Not before its bracket: that is prose.
         ("// allow unused\nvar m", "W0101 m"),
         // Nothing below it.

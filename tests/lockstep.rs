@@ -24,12 +24,8 @@ fn analyze(name: &str, text: &str) -> Result<Program, String> {
 
 /// Every variable that a program can name but its ports.
 fn inner_variables(program: &Program) -> Vec<VariableId> {
-    let is_inner = |variable: &Variable| match variable.role {
-        Role::Local => true,
-        Role::Member(instance, port) => {
-            program.instances[instance].block.ports[port].role.is_member()
-        }
-        Role::Input | Role::Output | Role::EdgeMemory | Role::FirstScan => false,
+    let is_inner = |variable: &Variable| {
+        program.is_named(variable) && !matches!(variable.role, Role::Input | Role::Output)
     };
     program.variables.iter().filter(|(_, variable)| is_inner(variable)).map(|(id, _)| id).collect()
 }

@@ -1,10 +1,12 @@
 //! Header, clock, variables, constants and block instances.
 
+use std::sync::Arc;
+
 use super::names::{Constant, Entity, not_a_constant};
 use super::{Checked, Checker, literal};
-use crate::blocks;
+use crate::blocks::{self, Shape, Start};
 use crate::diagnostic::{Diagnostic, code, shortened, similar_name};
-use crate::model::{self, ExprKind, Instance, Role, Variable};
+use crate::model::{self, ExprKind, Instance, InstanceId, Role, Variable};
 use crate::quantity;
 use crate::source::Span;
 use crate::syntax::ast::{
@@ -15,10 +17,8 @@ use crate::types::Type;
 /// Characters of the longest program name.
 const LONGEST_PROGRAM_NAME: usize = 64;
 /// Kinds of block that people know and that are still to come; a kind that is there is found first.
-const PLANNED_BLOCKS: [&str; 18] = [
-    "AB_TON", "AB_TOF", "AB_RTO", "AB_CTU", "AB_CTD", "AB_ONS", "T1_0", "T0_1", "T_01", "TS", "TT",
-    "UC", "DC", "DRUM", "SHL", "SHR", "RTO", "ONS",
-];
+const PLANNED_BLOCKS: [&str; 10] =
+    ["AB_TON", "AB_TOF", "AB_RTO", "AB_CTU", "AB_CTD", "AB_ONS", "SHL", "SHR", "RTO", "ONS"];
 const DEFAULT_CLOCK_HZ: u64 = 12_000_000;
 const DEFAULT_TICK_NS: u64 = 1_000_000;
 
@@ -315,8 +315,19 @@ impl<'s> Checker<'s> {
     }
 
     fn declare_instance(&mut self, call: &ast::Call<'s>) {
-        let entity = match blocks::named(call.kind.text) {
-            Some(block) => self.instance(call, block),
+        let block = blocks::named(call.kind.text);
+        if let (Some(block), Some(Entity::Instance(first))) =
+            (block, self.names.get(call.name.text))
+            && self.join(first, block)
+        {
+            return;
+        }
+        let entity = match block {
+            Some(block) => {
+                let shape = self.shape(call, block);
+                let given = call.arguments.iter().map(|argument| argument.name.text).collect();
+                Entity::Instance(self.instance(call.name.text, shape, call.name.span, given))
+            }
             None => {
                 self.report(unknown_block(call.kind));
                 Entity::Broken
@@ -337,21 +348,49 @@ impl<'s> Checker<'s> {
         }
     }
 
-    fn instance(&mut self, call: &ast::Call<'s>, block: &'static blocks::Block) -> Entity {
-        let span = call.name.span;
-        let name = call.name.text.to_owned();
-        let given = block
-            .ports
-            .iter()
-            .map(|port| call.arguments.iter().any(|argument| argument.name.text == port.name))
-            .collect();
-        let instance = Instance { name, block, members: Vec::new(), given, span };
+    /// Lets a second kind be called on an instance, if the two belong together and it is the only
+    /// second call.
+    fn join(&mut self, instance: InstanceId, block: &'static blocks::Block) -> bool {
+        let first = &mut self.program.instances[instance];
+        if first.shape.block.partner != Some(block.name) || first.has_partner {
+            return false;
+        }
+        first.has_partner = true;
+        let second = Shape::new(block, first.shape.chosen.clone());
+        let mut shape = (*first.shape).clone();
+        for (port, other) in shape.ports.iter_mut().zip(second.ports) {
+            if other.role.is_outside() {
+                port.role = other.role;
+            }
+        }
+        first.shape = Arc::new(shape);
+        true
+    }
+
+    /// Makes an instance with a variable for each of its ports.
+    pub(super) fn instance(
+        &mut self,
+        name: &str,
+        shape: Arc<Shape>,
+        span: Span,
+        given: Vec<&str>,
+    ) -> InstanceId {
+        let given = shape.ports.iter().map(|port| given.contains(&port.name)).collect();
+        let (members, is_hidden, has_partner) = (Vec::new(), false, false);
+        let ports = shape.clone();
+        let instance =
+            Instance { name: name.to_owned(), shape, is_hidden, has_partner, members, given, span };
         let id = self.program.instances.alloc(instance);
-        for (index, port) in block.ports.iter().enumerate() {
+        for (index, port) in ports.ports.iter().enumerate() {
+            let initial = match port.start {
+                Start::Value(value) => value,
+                // Known when the call has been checked.
+                Start::Preset(_) => 0,
+            };
             let variable = self.program.variables.alloc(Variable {
-                name: format!("{}.{}", call.name.text, port.name).into(),
+                name: format!("{name}.{}", port.name).into(),
                 ty: port.ty,
-                initial: 0,
+                initial,
                 is_initialised: false,
                 role: Role::Member(id, index),
                 address: None,
@@ -359,7 +398,7 @@ impl<'s> Checker<'s> {
             });
             self.program.instances[id].members.push(variable);
         }
-        Entity::Instance(id)
+        id
     }
 }
 

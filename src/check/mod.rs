@@ -9,6 +9,7 @@ mod net;
 mod network;
 mod number;
 mod reference;
+mod settings;
 mod test;
 
 use std::collections::HashMap;
@@ -35,6 +36,8 @@ struct Checker<'s> {
     first_scan: Option<VariableId>,
     /// Number of expectations so far, over all tests.
     expectations: usize,
+    /// The pulse of each unit of time that some block needs, by its length in nanoseconds.
+    units: HashMap<u64, VariableId>,
     /// Who has which image address.
     addresses: HashMap<u16, Name<'s>>,
 }
@@ -49,6 +52,7 @@ pub fn check(source: &Source, file: &File<'_>) -> (Option<Program>, Vec<Diagnost
         diagnostics: Vec::new(),
         first_scan: None,
         expectations: 0,
+        units: HashMap::new(),
         addresses: HashMap::new(),
     };
     checker.check(file);

@@ -3,7 +3,9 @@
 use super::reference::Resolved;
 use super::{Checked, Checker, Reported};
 use crate::diagnostic::{Diagnostic, code};
-use crate::model::{self, CoilAction, Element, Role, Variable, VariableId};
+use crate::model::{
+    self, CoilAction, Element, Expr, ExprKind, Relation, Role, Variable, VariableId,
+};
 use crate::source::Span;
 use crate::syntax::ast::{self, Edge, ElementKind, Reference, Rung, Series};
 use crate::types::Type;
@@ -69,7 +71,10 @@ impl<'s> Checker<'s> {
         }
         let mut elements = Vec::with_capacity(series.elements.len());
         for element in &series.elements {
-            elements.extend(self.element(element, place).ok());
+            let Ok(element) = self.element(element, place) else { continue };
+            let entailed = self.entailed(&element);
+            elements.push(element);
+            elements.extend(entailed);
         }
         elements
     }
@@ -117,6 +122,27 @@ impl<'s> Checker<'s> {
             ElementKind::Call(call) => Element::Call(self.call(call)?),
             ElementKind::Net(net) => Element::Net(self.net(net, element.span)?),
         })
+    }
+
+    /// What stands behind a write of a block's accumulator: where it becomes 0, so does the
+    /// fraction of a unit that has been counted.
+    fn entailed(&self, element: &Element) -> Option<Element> {
+        let &Element::Assign { target, span, .. } = element else { return None };
+        let Variable { ty, role: Role::Member(instance, port), .. } =
+            self.program.variables[target]
+        else {
+            return None;
+        };
+        let instance = &self.program.instances[instance];
+        let fraction = instance.shape.port_named(instance.shape.ports[port].fraction?)?;
+        let fraction = instance.members[fraction];
+        let zero = |ty| Expr { ty, kind: ExprKind::Constant(0) };
+        let written = Expr { ty, kind: ExprKind::Read(target) };
+        let kind = ExprKind::Compare(Relation::Equal, Box::new(written), Box::new(zero(ty)));
+        let is_zero = Element::Compare(Expr { ty: Type::Bool, kind }, span);
+        let value = zero(self.program.variables[fraction].ty);
+        let clear = Element::Assign { target: fraction, value, span };
+        Some(Element::Parallel(vec![vec![is_zero, clear], vec![Element::Constant(true)]]))
     }
 
     fn check_place(&mut self, element: &ast::Element<'s>, place: Place) -> Checked<()> {
@@ -264,7 +290,7 @@ impl<'s> Checker<'s> {
                 "declare it with var or output".to_owned(),
             ),
             Resolved::Instance(instance) => {
-                let block = self.program.instances[instance].block;
+                let block = self.program.instances[instance].shape.block;
                 (
                     format!("`{name}` is a block ({}), not a variable", block.name),
                     "a block instance",
@@ -301,11 +327,14 @@ impl<'s> Checker<'s> {
         port: usize,
     ) -> Option<(String, &'static str, String)> {
         let instance = &self.program.instances[instance];
-        let member = &instance.block.ports[port];
+        let member = &instance.shape.ports[port];
         let name = format!("{}.{}", instance.name, member.name);
+        if member.role.is_loaded() {
+            return None;
+        }
         if !member.role.is_parameter() {
             return Some((
-                format!("`{name}` is an output of the block {}", instance.block.name),
+                format!("`{name}` is an output of the block {}", instance.shape.block.name),
                 "written by the block alone",
                 format!("to reset it write (R {})", instance.name),
             ));

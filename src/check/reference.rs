@@ -53,16 +53,16 @@ impl<'s> Checker<'s> {
 
     fn member(&mut self, instance: InstanceId, member: ast::Name<'s>) -> Checked<Resolved> {
         let instance = &self.program.instances[instance];
-        let block = instance.block;
-        let port = block.port_named(member.text).filter(|&port| block.ports[port].role.is_member());
+        let shape = &instance.shape;
+        let port = shape.port_named(member.text).filter(|&port| shape.ports[port].role.is_member());
         if let Some(port) = port {
             return Ok(Resolved::Variable(instance.members[port]));
         }
         let members = || {
-            let ports = block.ports.iter().filter(|port| port.role.is_member());
+            let ports = shape.ports.iter().filter(|port| port.role.is_member());
             ports.map(|port| port.name)
         };
-        let message = format!("{} has no member `{}`", block.name, shortened(member.text));
+        let message = format!("{} has no member `{}`", shape.block.name, shortened(member.text));
         let help = match similar_name(member.text, members()) {
             Some(similar) => format!("is `{similar}` meant?"),
             None => format!("its members are {}", members().collect::<Vec<_>>().join(", ")),
@@ -77,7 +77,7 @@ impl<'s> Checker<'s> {
         instance: InstanceId,
         reference: &Reference<'s>,
     ) -> super::Reported {
-        let block = self.program.instances[instance].block;
+        let block = self.program.instances[instance].shape.block;
         let name = reference.name.text;
         let message = format!("`{name}` is a block ({}), not a value", block.name);
         let diagnostic = Diagnostic::new(code::TYPE_MISMATCH, reference.span(), message)

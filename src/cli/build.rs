@@ -14,7 +14,7 @@ use hotrail::quantity;
 
 use super::lints::Lints;
 use super::report::Report;
-use super::{Sources, Verdict};
+use super::{Sources, Verdict, split_names};
 
 /// Compile ladder files to Verilog, VHDL and what goes with them
 #[derive(clap::Args)]
@@ -64,6 +64,8 @@ enum EmitKind {
     Testbench,
     /// A top with synchronisers, reset and tick around the program
     Wrapper,
+    /// The ladder as a picture
+    Svg,
 }
 
 impl EmitKind {
@@ -73,6 +75,7 @@ impl EmitKind {
             EmitKind::Vhdl => Emit::Vhdl,
             EmitKind::Testbench => Emit::Testbench,
             EmitKind::Wrapper => Emit::Wrapper,
+            EmitKind::Svg => Emit::Svg,
         }
     }
 }
@@ -147,16 +150,6 @@ fn compile(
         .with_context(|| path.display().to_string())?;
     let kinds: Vec<Emit> = options.emit.iter().map(|kind| kind.emit()).collect();
     Ok(Some(unit.emit(&kinds)))
-}
-
-/// The names of a list separated by commas, which may stand in back-ticks and hold commas then.
-fn split_names(list: &str) -> Vec<String> {
-    let mut quoted = false;
-    let names = list.split(|c: char| {
-        quoted ^= c == '`';
-        c == ',' && !quoted
-    });
-    names.map(str::to_owned).collect()
 }
 
 /// Shows what differs between the artifacts and the files in the folder.

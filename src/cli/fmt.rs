@@ -63,7 +63,7 @@ struct Layout {
 
 /// Reads and formats a file, or reports why that cannot be.
 fn lay_out(path: &Path, report: &mut Report) -> Option<Layout> {
-    let before = match files::read_source(path) {
+    let before = match report.read(path) {
         Ok(source) => source,
         Err(error) => {
             report.file_error(&error);

@@ -4,13 +4,17 @@ mod blocks;
 mod build;
 mod check;
 mod completions;
+mod draw;
+mod dump;
 mod equations;
 mod explain;
 mod fmt;
 mod lints;
 mod new;
 mod report;
+mod sim;
 mod simulators;
+mod table;
 mod test;
 
 use std::io::IsTerminal;
@@ -19,7 +23,7 @@ use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
-use hotrail::files::FileError;
+use hotrail::files::{self, FileError};
 
 use report::Report;
 
@@ -40,7 +44,9 @@ const EXAMPLES: &str = "Examples:
   hotrail new conveyor
   hotrail check conveyor.ladder
   hotrail test conveyor.ladder
+  hotrail sim conveyor.ladder stimulus.csv --vcd conveyor.vcd
   hotrail fmt conveyor.ladder
+  hotrail draw conveyor.ladder
   hotrail build conveyor.ladder -o out --emit verilog,vhdl";
 
 #[derive(Subcommand)]
@@ -49,8 +55,10 @@ enum Command {
     Check(check::Options),
     Build(build::Options),
     Test(test::Options),
+    Sim(sim::Options),
     Fmt(fmt::Options),
     Equations(equations::Options),
+    Draw(draw::Options),
     Explain(explain::Options),
     Blocks(blocks::Options),
     Completions(completions::Options),
@@ -65,6 +73,10 @@ struct Style {
     /// How findings are written
     #[arg(long, value_enum, default_value_t = MessageFormat::Human, global = true)]
     message_format: MessageFormat,
+    /// Largest file that is read, in MiB
+    #[arg(long, value_name = "MIB", default_value_t = files::LARGEST_SOURCE >> 20, global = true,
+        value_parser = clap::value_parser!(u64).range(1..=1024))]
+    max_size: u64,
 }
 
 #[derive(ValueEnum, Clone, Copy, PartialEq, Eq)]
@@ -112,6 +124,16 @@ struct Sources {
     files: Vec<PathBuf>,
 }
 
+/// The names of a list separated by commas, which may stand in back-ticks and hold commas then.
+fn split_names(list: &str) -> Vec<String> {
+    let mut quoted = false;
+    let names = list.split(|c: char| {
+        quoted ^= c == '`';
+        c == ',' && !quoted
+    });
+    names.map(str::to_owned).collect()
+}
+
 /// What a command found out.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Verdict {
@@ -131,8 +153,10 @@ pub fn run() -> ExitCode {
         Command::Check(options) => check::run(&options, &mut report),
         Command::Build(options) => build::run(&options, &mut report),
         Command::Test(options) => test::run(&options, &mut report),
+        Command::Sim(options) => sim::run(&options, &mut report),
         Command::Fmt(options) => fmt::run(&options, &mut report),
         Command::Equations(options) => equations::run(&options, &mut report),
+        Command::Draw(options) => draw::run(&options, &mut report),
         Command::Explain(options) => return exit_code(explain::run(&options)),
         Command::Blocks(options) => return exit_code(blocks::run(&options)),
         Command::Completions(options) => return exit_code(completions::run(&options)),

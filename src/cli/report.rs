@@ -30,7 +30,7 @@ impl Report {
     /// Reads, parses and checks a file and reports what was found. The program is there if
     /// nothing stands against building it.
     pub fn analyze(&mut self, path: &Path, lints: &lint::Options) -> Option<(Source, Program)> {
-        let source = match files::read_source(path) {
+        let source = match self.read(path) {
             Ok(source) => source,
             Err(error) => {
                 self.file_error(&error);
@@ -63,20 +63,34 @@ impl Report {
         }
     }
 
+    /// Reads a source of the size that the user allows.
+    ///
+    /// # Errors
+    /// If it cannot be read, is too large or is no text.
+    pub fn read(&self, path: &Path) -> Result<Source, FileError> {
+        files::read_source_up_to(path, self.style.max_size << 20)
+    }
+
     /// Reports what is wrong with a file as a whole.
     pub fn file_error(&mut self, error: &FileError) {
         let FileError { code, path, problem, help } = error;
         let file = path.display().to_string();
-        let help = help.as_ref().map(|help| format!("\nhelp: {help}")).unwrap_or_default();
-        let message = format!("{problem}{help}");
+        let with_help = match help {
+            Some(help) => format!("{problem}\nhelp: {help}"),
+            None => problem.clone(),
+        };
         match self.style.message_format {
-            MessageFormat::Human | MessageFormat::Short | MessageFormat::Json => {
-                err(&error.to_string())
+            MessageFormat::Human => err(&error.to_string()),
+            MessageFormat::Short => {
+                err(&format!("{file}: {}[{}]: {problem}\n", code.severity, code.id));
+            }
+            MessageFormat::Json => {
+                err(&diagnostic::render_json_file(*code, &file, problem, help.as_slice()));
             }
             MessageFormat::Github => {
-                out(&diagnostic::render_github_file(*code, &file, &message));
+                out(&diagnostic::render_github_file(*code, &file, &with_help));
             }
-            MessageFormat::Sarif => self.sarif.add_file(*code, &file, &message),
+            MessageFormat::Sarif => self.sarif.add_file(*code, &file, &with_help),
         }
     }
 

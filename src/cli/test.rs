@@ -1,15 +1,19 @@
 //! `hotrail test`
 
+use std::collections::HashSet;
+use std::path::{Path, PathBuf};
+
 use anyhow::bail;
 use clap::ValueEnum;
 
 use hotrail::backend::hdl::Harmless;
 use hotrail::diagnostic::{Diagnostic, code};
-use hotrail::eval::{self, Failure, Outcome};
+use hotrail::eval::{self, Evaluator, Failure, Outcome};
 use hotrail::lint;
 use hotrail::model::Program;
 use hotrail::source::Source;
 
+use super::dump;
 use super::report::Report;
 use super::simulators::{self, Simulator};
 use super::{Sources, Verdict};
@@ -18,7 +22,8 @@ use super::{Sources, Verdict};
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   hotrail test conveyor.ladder
-  hotrail test conveyor.ladder --on evaluator,icarus,ghdl --filter emergency")]
+  hotrail test conveyor.ladder --on evaluator,icarus,ghdl --filter emergency
+  hotrail test conveyor.ladder --vcd waves")]
 pub struct Options {
     #[command(flatten)]
     sources: Sources,
@@ -28,6 +33,10 @@ pub struct Options {
     /// Run only tests whose title contains this text
     #[arg(long, value_name = "TEXT", default_value = "")]
     filter: String,
+    /// Write a value change dump of each test on the evaluator into this folder, for GTKWave or
+    /// Surfer
+    #[arg(long, value_name = "DIR")]
+    vcd: Option<PathBuf>,
 }
 
 #[derive(ValueEnum, Clone, Copy, PartialEq, Eq)]
@@ -55,6 +64,7 @@ pub fn run(options: &Options, report: &mut Report) -> anyhow::Result<Verdict> {
     let lints = lint::Options { off: true, ..lint::Options::default() };
     let mut verdict = Verdict::Good;
     let mut chosen = 0;
+    let mut dumped = HashSet::new();
     for path in &options.sources.files {
         let Some((source, mut program)) = report.analyze(path, &lints) else {
             verdict = Verdict::Bad;
@@ -65,7 +75,10 @@ pub fn run(options: &Options, report: &mut Report) -> anyhow::Result<Verdict> {
         let filtered_out = before - program.tests.len();
         chosen += program.tests.len();
         for &executor in &options.on {
-            let outcomes = execute(executor, &program, &source)?;
+            let outcomes = match (executor, &options.vcd) {
+                (Executor::Evaluator, Some(folder)) => dump(&program, path, folder, &mut dumped)?,
+                _ => execute(executor, &program, &source)?,
+            };
             let failed = show(executor, &program, &source, &outcomes, filtered_out, report);
             if failed > 0 {
                 verdict = Verdict::Bad;
@@ -76,6 +89,26 @@ pub fn run(options: &Options, report: &mut Report) -> anyhow::Result<Verdict> {
         bail!("no test has a title with `{}` in it", options.filter);
     }
     Ok(verdict)
+}
+
+/// Runs the tests on the evaluator, each into a dump of its own.
+fn dump(
+    program: &Program,
+    source: &Path,
+    folder: &Path,
+    dumped: &mut HashSet<String>,
+) -> anyhow::Result<Vec<Outcome>> {
+    let mut outcomes = Vec::new();
+    for (number, test) in program.tests.iter().enumerate() {
+        let name = dump::file_name(program, number, test);
+        if !dumped.insert(name.to_lowercase()) {
+            bail!("two programs would write {name}: give one of them another name");
+        }
+        let mut evaluator = Evaluator::new(program);
+        let path = folder.join(name);
+        outcomes.push(dump::run_test_dumped(&mut evaluator, program, test, &path, source)?);
+    }
+    Ok(outcomes)
 }
 
 /// How each test of the program ended.

@@ -146,6 +146,10 @@ codes! {
     Error E0601 CANNOT_READ "a file cannot be read"
     Error E0602 CANNOT_WRITE "a file cannot be written"
     Error E0603 SAME_NAME "two programs would write the same file"
+    // Stimuli
+    Error E0701 BAD_STIMULUS "a stimulus is no table of inputs and scans"
+    Error E0702 BAD_COLUMN "a column of a stimulus is no input"
+    Error E0703 BAD_CELL "a value of a stimulus does not fit its input"
 
     // Allowing
     Warning W0001 BAD_ALLOW "an allow names nothing that can be allowed"

@@ -10,7 +10,7 @@ use std::borrow::Cow;
 use crate::source::Span;
 pub use code::{Code, Severity};
 pub use github::{render_github, render_github_file};
-pub use render::{render, render_json, render_short};
+pub use render::{render, render_json, render_json_file, render_short};
 pub use sarif::Sarif;
 
 /// A place in the source and what is to be seen there.

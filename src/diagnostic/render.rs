@@ -3,7 +3,7 @@
 use annotate_snippets::{Annotation, AnnotationKind, Level, Renderer, Snippet};
 use serde::Serialize;
 
-use super::{Diagnostic, Label, Severity};
+use super::{Code, Diagnostic, Label, Severity};
 use crate::source::{Source, Span};
 
 /// The finding with a snippet of the source, in the manner of rustc, ending in a line feed.
@@ -98,23 +98,43 @@ struct JsonDiagnostic<'a> {
     severity: String,
     code: &'a str,
     message: &'a str,
-    primary: JsonLabel<'a>,
+    primary: Option<JsonLabel<'a>>,
     related: Vec<JsonLabel<'a>>,
     help: &'a [String],
 }
 
+impl JsonDiagnostic<'_> {
+    fn line(&self) -> String {
+        serde_json::to_string(self).expect("strings and numbers can be written as JSON") + "\n"
+    }
+}
+
 /// One JSON object on one line; lines and columns count from 1, ends are exclusive.
 pub fn render_json(diagnostic: &Diagnostic, source: &Source) -> String {
-    let object = JsonDiagnostic {
+    let finding = JsonDiagnostic {
         file: source.name(),
         severity: diagnostic.code.severity.to_string(),
         code: diagnostic.code.id,
         message: &diagnostic.message,
-        primary: JsonLabel::new(source, &diagnostic.primary),
+        primary: Some(JsonLabel::new(source, &diagnostic.primary)),
         related: diagnostic.related.iter().map(|label| JsonLabel::new(source, label)).collect(),
         help: &diagnostic.help,
     };
-    serde_json::to_string(&object).expect("strings and numbers can be written as JSON") + "\n"
+    finding.line()
+}
+
+/// The same about a file as a whole: it has no primary place.
+pub fn render_json_file(code: Code, file: &str, message: &str, help: &[String]) -> String {
+    let finding = JsonDiagnostic {
+        file,
+        severity: code.severity.to_string(),
+        code: code.id,
+        message,
+        primary: None,
+        related: Vec::new(),
+        help,
+    };
+    finding.line()
 }
 
 #[cfg(test)]

@@ -1,7 +1,6 @@
 //! From networks to equations: series become `All`, parallel branches `Any`.
 
 use super::{Equations, Expr, ExprId, ExprOp, Operands, Step, StepId, StepKind};
-use crate::blocks::PortRole;
 use crate::index::index;
 use crate::model::{
     self, ArgumentValue, Call, CoilAction, Edge, Element, ExprKind, Program, Role, Series,
@@ -13,6 +12,11 @@ use crate::types::Type;
 pub fn lower(program: &Program) -> Equations {
     let mut lowering = Lowering::new(program);
     let first_scan = program.with_role(Role::FirstScan).next().map(|(id, _)| id);
+    lowering.rung = Step::NO_RUNG;
+    for unit in &program.units {
+        let power = lowering.constant(false);
+        lowering.call(unit, power);
+    }
     for (index, rung) in program.rungs.iter().enumerate() {
         lowering.rung = index as u32;
         lowering.series(&rung.network, Vec::new());
@@ -163,9 +167,8 @@ impl<'p> Lowering<'p> {
             Element::ResetInstance(instance) => {
                 let now = self.all(power);
                 let step = self.step(StepKind::Reset { instance: *instance, power: now });
-                let members = &self.program.instances[*instance];
-                for (port, &member) in members.block.ports.iter().zip(&members.members) {
-                    if port.role == PortRole::Output {
+                for (port, member, _) in self.program.instances[*instance].cleared(self.program) {
+                    if port.role.is_result() {
                         self.written(member, step);
                     }
                 }
@@ -256,15 +259,14 @@ impl<'p> Lowering<'p> {
             })
             .collect();
         let given: Vec<usize> = arguments.iter().map(|&(port, _)| port).collect();
-        let step = self.step(StepKind::Call { instance: call.instance, power, arguments });
-        for (index, (port, &member)) in
-            instance.block.ports.iter().zip(&instance.members).enumerate()
-        {
-            if port.role == PortRole::Output || given.contains(&index) {
+        let shape = call.shape.clone();
+        let step = self.step(StepKind::Call { instance: call.instance, shape, power, arguments });
+        for (index, (port, &member)) in call.shape.ports.iter().zip(&instance.members).enumerate() {
+            if port.role.is_result() || given.contains(&index) {
                 self.written(member, step);
             }
         }
-        match instance.block.main_port() {
+        match call.shape.main_port() {
             Some(port) => self.read(instance.members[port]),
             None => power,
         }

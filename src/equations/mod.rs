@@ -7,8 +7,11 @@ mod graph;
 mod lower;
 mod networks;
 
+use std::sync::Arc;
+
 use la_arena::{Arena, Idx};
 
+use crate::blocks::Shape;
 use crate::model::{BinaryOp, InstanceId, Relation, VariableId};
 use crate::types::Type;
 
@@ -86,11 +89,16 @@ pub enum ExprOp {
 pub struct Step {
     /// What it does.
     pub kind: StepKind,
-    /// Index of the rung that it stands in.
+    /// Index of the rung that it stands in; [`Step::NO_RUNG`] for what comes before them all.
     pub rung: u32,
     /// The number of expressions made before it: what it may use, and what was made since the
     /// last step reads what was there before it.
     pub exprs: u32,
+}
+
+impl Step {
+    /// The rung of a step that no rung asks for: a unit of time.
+    pub const NO_RUNG: u32 = u32::MAX;
 }
 
 /// What a step does.
@@ -107,6 +115,8 @@ pub enum StepKind {
     Call {
         /// Which one.
         instance: InstanceId,
+        /// What is called on it.
+        shape: Arc<Shape>,
         /// The power that arrives.
         power: ExprId,
         /// The given parameters by the index of their port.

@@ -45,18 +45,15 @@ impl<'p> Evaluator<'p> {
     pub fn scan(&mut self, tick: bool) {
         self.tick = tick;
         let program = self.program;
+        for unit in &program.units {
+            self.call(unit, false);
+        }
         for rung in &program.rungs {
             self.series(&rung.network, true);
         }
         if let Some(first_scan) = self.first_scan {
             self.set(first_scan, 0);
         }
-    }
-
-    /// The power behind a network that is fed with power 1 and holds contacts, comparisons and
-    /// lists only.
-    pub fn conducts(&mut self, network: &[Element]) -> bool {
-        self.series(network, true)
     }
 
     fn set(&mut self, variable: VariableId, value: i64) {
@@ -96,10 +93,10 @@ impl<'p> Evaluator<'p> {
                 power
             }
             Element::ResetInstance(instance) => {
-                let instance = &self.program.instances[*instance];
-                for (port, &member) in instance.block.ports.iter().zip(&instance.members) {
-                    if power && port.role.is_cleared() {
-                        self.set(member, self.program.variables[member].initial);
+                if power {
+                    let program = self.program;
+                    for (_, member, value) in program.instances[*instance].cleared(program) {
+                        self.set(member, value);
                     }
                 }
                 power
@@ -179,12 +176,12 @@ impl<'p> Evaluator<'p> {
         }
         let mut values: Vec<i64> =
             instance.members.iter().map(|&member| self.value(member)).collect();
-        let block = instance.block;
-        (block.step)(&mut Step { block, power, tick: self.tick, values: &mut values });
+        let shape = &*call.shape;
+        (shape.block.step)(&mut Step { shape, power, tick: self.tick, values: &mut values });
         for (&member, value) in instance.members.iter().zip(values) {
             self.set(member, value);
         }
-        match block.main_port() {
+        match shape.main_port() {
             Some(port) => self.is_on(instance.members[port]),
             None => power,
         }

@@ -13,6 +13,26 @@ pub struct Failure {
     pub text: String,
 }
 
+/// True if an element of an expectation conducts, given the values that it looks at.
+pub fn conducts(element: &Element, read: &impl Fn(VariableId) -> i64) -> bool {
+    match element {
+        Element::Constant(value) => *value,
+        Element::Contact { variable, negated, .. } => (read(*variable) != 0) != *negated,
+        Element::Compare(expr, _) => expr.value(read) != 0,
+        Element::Parallel(branches) => {
+            branches.iter().any(|branch| branch.iter().all(|element| conducts(element, read)))
+        }
+        Element::Edge { .. }
+        | Element::OneShot { .. }
+        | Element::Invert
+        | Element::Coil { .. }
+        | Element::ResetInstance(_)
+        | Element::Assign { .. }
+        | Element::Call(_)
+        | Element::Net(_) => unreachable!("an expectation only looks"),
+    }
+}
+
 /// The variables that a network reads, each once, in text order.
 pub fn variables_of(network: &Series) -> Vec<VariableId> {
     let mut all = Vec::new();

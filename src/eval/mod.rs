@@ -2,8 +2,14 @@
 
 mod evaluator;
 mod expectation;
+mod machine;
 mod runner;
+#[cfg(feature = "cli")]
+mod stimulus;
 
 pub use evaluator::Evaluator;
-pub use expectation::{Failure, explain, variables_of};
-pub use runner::{Outcome, run_test};
+pub use expectation::{Failure, conducts, explain, variables_of};
+pub use machine::Machine;
+pub use runner::{Outcome, run_test, run_test_on};
+#[cfg(feature = "cli")]
+pub use stimulus::{Row, Stimulus, TICK};

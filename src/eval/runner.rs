@@ -1,6 +1,6 @@
-//! Runs the tests of a program on the evaluator.
+//! Runs the tests of a program.
 
-use super::{Evaluator, Failure, explain};
+use super::{Evaluator, Failure, Machine, conducts, explain};
 use crate::model::{Program, Statement, Test};
 
 /// How a test ended.
@@ -12,34 +12,41 @@ pub enum Outcome {
     Failed(Failure),
 }
 
-/// Runs one test from reset, up to the first expectation that does not hold.
+/// Runs one test on the evaluator from reset, up to the first expectation that does not hold.
 pub fn run_test(program: &Program, test: &Test) -> Outcome {
-    match run(program, &mut Evaluator::new(program), &test.statements) {
+    run_test_on(&mut Evaluator::new(program), program, test)
+}
+
+/// Runs one test on a machine, in the same way.
+pub fn run_test_on(machine: &mut impl Machine, program: &Program, test: &Test) -> Outcome {
+    machine.reset();
+    match run(machine, program, &test.statements) {
         Ok(()) => Outcome::Passed,
         Err(failure) => Outcome::Failed(failure),
     }
 }
 
 fn run(
+    machine: &mut impl Machine,
     program: &Program,
-    evaluator: &mut Evaluator<'_>,
     statements: &[Statement],
 ) -> Result<(), Failure> {
     for statement in statements {
         match statement {
-            Statement::Drive(input, value) => evaluator.drive(*input, *value),
-            Statement::Scan(scans) => (0..*scans).for_each(|_| evaluator.scan(false)),
-            Statement::Wait(ticks) => (0..*ticks).for_each(|_| evaluator.scan(true)),
+            Statement::Drive(input, value) => machine.drive(*input, *value),
+            Statement::Scan(scans) => (0..*scans).for_each(|_| machine.scan(false)),
+            Statement::Wait(ticks) => (0..*ticks).for_each(|_| machine.scan(true)),
             Statement::Repeat(times, statements) => {
                 for _ in 0..*times {
-                    run(program, evaluator, statements)?;
+                    run(machine, program, statements)?;
                 }
             }
-            Statement::Reset => evaluator.reset(),
+            Statement::Reset => machine.reset(),
             Statement::Expect(expect) => {
+                let read = |variable| machine.value(variable);
                 for (index, element) in expect.network.iter().enumerate() {
-                    if !evaluator.conducts(std::slice::from_ref(element)) {
-                        return Err(explain(program, expect, index, |v| evaluator.value(v)));
+                    if !conducts(element, &read) {
+                        return Err(explain(program, expect, index, read));
                     }
                 }
             }

@@ -18,13 +18,21 @@ impl<'p> Expansion<'p> {
         for (number, step) in equations.steps.iter().enumerate() {
             match &step.kind {
                 StepKind::Assign { target, .. } => last_write[index(*target)] = Some(number as u32),
-                StepKind::Call { instance, arguments, .. } => {
-                    for (port, _) in arguments {
-                        let member = program.instances[*instance].members[*port];
-                        last_write[index(member)] = Some(number as u32);
+                StepKind::Call { instance, shape, arguments, .. } => {
+                    let members = &program.instances[*instance].members;
+                    let outside = |port: &usize| shape.ports[*port].role.is_outside();
+                    let outside = (0..members.len()).filter(outside);
+                    for port in arguments.iter().map(|&(port, _)| port).chain(outside) {
+                        last_write[index(members[port])] = Some(number as u32);
                     }
                 }
-                StepKind::Reset { .. } => {}
+                StepKind::Reset { instance, .. } => {
+                    for (port, member, _) in program.instances[*instance].cleared(program) {
+                        if port.role.is_outside() {
+                            last_write[index(member)] = Some(number as u32);
+                        }
+                    }
+                }
             }
         }
         Expansion {
@@ -38,6 +46,7 @@ impl<'p> Expansion<'p> {
             before: vec![None; variables],
             registers: Vec::new(),
             instances: program.instances.iter().map(|_| None).collect(),
+            partners: Vec::new(),
             last_write,
         }
     }
@@ -51,6 +60,9 @@ impl<'p> Expansion<'p> {
     }
 
     pub(super) fn section(&mut self, rung: u32, options: &Options) {
+        if rung == Step::NO_RUNG {
+            self.circuit.section("units of time, each a pulse that all blocks share", 0);
+        }
         let Some(written) = self.program.rungs.get(rung as usize) else { return };
         let title = written.title.as_ref().map(|title| format!(" \"{title}\"")).unwrap_or_default();
         let place = format!("{}:{}", options.source, written.line);
@@ -66,10 +78,12 @@ impl<'p> Expansion<'p> {
         let width = declared.ty.width();
         let net = match declared.role {
             Role::Member(instance, port)
-                if self.program.instances[instance].block.ports[port].role == PortRole::Output =>
+                if self.program.instances[instance].shape.ports[port].role == PortRole::Output =>
             {
-                let block = self.program.instances[instance].block;
-                self.instance_output(instance, &blocks::last(block.ports[port].name), width)
+                let called = self.called(instance);
+                let (id, module) = (called.id, called.module);
+                let name = self.program.instances[instance].shape.ports[port].name;
+                self.instance_output(id, module, &blocks::last(name), width)
             }
             _ if self.last_write[index(variable)].is_none() => {
                 self.circuit.constant(declared.ty.bits(declared.initial), width)
@@ -149,8 +163,8 @@ impl<'p> Expansion<'p> {
                     self.circuit.signals.push(Signal { net, name, version, section });
                 }
             }
-            StepKind::Call { instance, power, arguments } => {
-                self.call(*instance, *power, arguments);
+            StepKind::Call { instance, shape, power, arguments } => {
+                self.call(*instance, shape, *power, arguments);
             }
             StepKind::Reset { instance, power } => self.reset(*instance, *power),
         }
@@ -168,7 +182,8 @@ impl<'p> Expansion<'p> {
                 self.circuit.drive(register, next);
             }
         }
-        for called in std::mem::take(&mut self.instances).into_iter().flatten() {
+        let partners = std::mem::take(&mut self.partners);
+        for called in std::mem::take(&mut self.instances).into_iter().flatten().chain(partners) {
             self.connect(called);
         }
         let mut modules = self.modules;

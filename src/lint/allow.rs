@@ -2,7 +2,8 @@
 //!
 //! Above the header such a comment holds for the file. At the end of a line it holds for what
 //! stands on the line, alone on a line for what stands below it; and where a rung starts there,
-//! for the whole rung.
+//! for the whole rung. At the end of a rung it holds for the whole rung too, so that it does
+//! where the formatter has wrapped the rung.
 
 use std::collections::HashMap;
 
@@ -137,7 +138,9 @@ impl<'f> Scopes<'f> {
         let line_start = self.line_of(comment.start).start;
         let before = self.source.slice(Span { start: line_start, end: comment.start });
         if !before.trim_start().is_empty() {
-            return self.and_rungs(self.line_of(comment.start));
+            let line = self.line_of(comment.start);
+            let scope = self.and_rungs(line);
+            return self.ending_in(line).map_or(scope, |rung| scope.to(rung));
         }
         let line = self.line_of(self.code_after(number));
         let scope = self.and_rungs(line);
@@ -156,6 +159,13 @@ impl<'f> Scopes<'f> {
     /// A line and the rungs that start on it.
     fn and_rungs(&self, line: Span) -> Span {
         starting_in(&self.rungs, line).last().map_or(line, |rung| line.to(*rung))
+    }
+
+    /// The rung that ends on a line and starts above it.
+    fn ending_in(&self, line: Span) -> Option<Span> {
+        let above = self.rungs.partition_point(|rung| rung.start < line.start);
+        let last = *self.rungs[..above].last()?;
+        (line.start < last.end && last.end <= line.end).then_some(last)
     }
 
     /// The next place after a comment that is neither blank nor a comment.

@@ -60,7 +60,6 @@ pub(super) struct Index<'p> {
     pub program: &'p Program,
     pub reads: Vec<Read>,
     pub writes: Vec<Write>,
-    pub calls: Vec<&'p Call>,
     pub comparisons: Vec<Comparison<'p>>,
     pub nets: Vec<&'p Net>,
     /// For each rung.
@@ -77,7 +76,7 @@ pub(super) struct Index<'p> {
     starts: Vec<u32>,
     /// For each instance, whether there is an `(R name)`.
     reset: Vec<bool>,
-    /// For each instance, its call.
+    /// For each instance, its call; where it has two, the first.
     call_of: Vec<Option<&'p Call>>,
 }
 
@@ -101,7 +100,9 @@ impl<'p> Index<'p> {
         walk.reads.iter().for_each(|read| read_counts[index(read.variable)] += 1);
         let Walk { reads, writes, calls, comparisons, nets, reset, .. } = walk;
         let mut call_of = vec![None; program.instances.len()];
-        calls.iter().for_each(|&call| call_of[index(call.instance)] = Some(call));
+        for &call in &calls {
+            call_of[index(call.instance)].get_or_insert(call);
+        }
         let mut writes_by_variable = writes.clone();
         // The sort is stable, so the writes of a variable stay in text order.
         writes_by_variable.sort_by_key(|write| index(write.variable));
@@ -114,7 +115,6 @@ impl<'p> Index<'p> {
             program,
             reads,
             writes,
-            calls,
             comparisons,
             nets,
             sizes,
@@ -169,7 +169,13 @@ impl<'p> Index<'p> {
 
     /// What the call of an instance gives to a parameter.
     pub fn argument(&self, instance: InstanceId, port: usize) -> Option<&'p Argument> {
-        self.call_of[index(instance)]?.arguments.iter().find(|argument| argument.port == port)
+        let call = self.call_of[index(instance)]?;
+        call.arguments.iter().chain(&call.starts).find(|argument| argument.port == port)
+    }
+
+    /// The call of each instance, without second calls.
+    pub fn calls(&self) -> impl Iterator<Item = &'p Call> {
+        self.call_of.iter().flatten().copied()
     }
 
     /// True if a coil resets the instance.
@@ -265,7 +271,7 @@ impl<'p> Walk<'p> {
 
     fn call(&mut self, call: &'p Call) {
         self.calls.push(call);
-        for argument in &call.arguments {
+        for argument in call.arguments.iter().chain(&call.starts) {
             match &argument.value {
                 // A network in an argument is drawn beside the rung: it starts anew.
                 ArgumentValue::Network(network) => self.series(network, 0),

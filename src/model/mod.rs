@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use la_arena::{Arena, Idx};
 
-use crate::blocks::Block;
+use crate::blocks::{Port, Shape};
 use crate::source::Span;
 use crate::types::Type;
 
@@ -35,6 +35,9 @@ pub struct Program {
     pub variables: Arena<Variable>,
     /// The block instances in text order of their calls.
     pub instances: Arena<Instance>,
+    /// The dividers that make units of time of the tick. They are called in front of the rungs, and
+    /// the power does not matter to them.
+    pub units: Vec<Call>,
     /// The rungs in text order.
     pub rungs: Vec<Rung>,
     /// The tests in text order.
@@ -47,6 +50,23 @@ impl Program {
     /// The variables of one role, in the order of their declaration.
     pub fn with_role(&self, role: Role) -> impl Iterator<Item = (VariableId, &Variable)> {
         self.variables.iter().filter(move |(_, variable)| variable.role == role)
+    }
+
+    /// True if a program can name the variable.
+    pub fn is_named(&self, variable: &Variable) -> bool {
+        match variable.role {
+            Role::Input | Role::Output | Role::Local => true,
+            Role::Member(instance, port) => {
+                let instance = &self.instances[instance];
+                !instance.is_hidden && instance.shape.ports[port].role.is_member()
+            }
+            Role::EdgeMemory | Role::FirstScan => false,
+        }
+    }
+
+    /// Every variable that a user can name, in the order of declarations and calls.
+    pub fn named_variables(&self) -> impl Iterator<Item = (VariableId, &Variable)> {
+        self.variables.iter().filter(|(_, variable)| self.is_named(variable))
     }
 
     /// Keeps the tests that are wanted and numbers their expectations anew.
@@ -78,9 +98,7 @@ impl Program {
         let is_meant = |variable: &Variable, member: bool| {
             *variable.name == *plain
                 && match variable.role {
-                    Role::Member(instance, port) => {
-                        member && self.instances[instance].block.ports[port].role.is_member()
-                    }
+                    Role::Member(..) => member && self.is_named(variable),
                     Role::Input | Role::Output | Role::Local => !member,
                     Role::EdgeMemory | Role::FirstScan => false,
                 }
@@ -132,7 +150,7 @@ pub enum Role {
     Output,
     /// Kept inside.
     Local,
-    /// A port of a block instance, by its index in [`Block::ports`].
+    /// A port of a block instance, by its index in [`Shape::ports`].
     Member(InstanceId, usize),
     /// What an edge element saw when it looked last.
     EdgeMemory,
@@ -152,14 +170,33 @@ impl Role {
 pub struct Instance {
     /// The user's name.
     pub name: String,
-    /// Its kind.
-    pub block: &'static Block,
+    /// Its kind, settings and ports. Where two kinds are called on it, the first one's, and a port
+    /// that one of them writes is written.
+    pub shape: Arc<Shape>,
+    /// True for what the program does not name: a divider.
+    pub is_hidden: bool,
+    /// True if a second kind is called on it.
+    pub has_partner: bool,
     /// One variable for each of the block's ports, in their order.
     pub members: Vec<VariableId>,
     /// For each port, whether the call gives it an argument.
     pub given: Vec<bool>,
     /// Where it is called.
     pub span: Span,
+}
+
+impl Instance {
+    /// What `(R name)` makes of each port that it puts back, as the port's variable and its value.
+    pub fn cleared<'p>(
+        &'p self,
+        program: &'p Program,
+    ) -> impl Iterator<Item = (&'p Port, VariableId, i64)> {
+        let ports = self.shape.ports.iter().zip(&self.members);
+        ports.filter(|(port, _)| port.role.is_cleared()).map(|(port, &member)| {
+            let value = port.cleared.unwrap_or(program.variables[member].initial);
+            (port, member, value)
+        })
+    }
 }
 
 /// One rung.
@@ -260,14 +297,19 @@ pub enum CoilAction {
 pub struct Call {
     /// Which instance.
     pub instance: InstanceId,
-    /// In text order; a parameter that is not among them keeps its variable's value.
+    /// What is called on it, with the same ports in the same order.
+    pub shape: Arc<Shape>,
+    /// What is handed over in every scan, in text order; a parameter that is not among them keeps
+    /// its variable's value.
     pub arguments: Vec<Argument>,
+    /// What the call gives at reset only: the members' initial values are these already.
+    pub starts: Vec<Argument>,
 }
 
 /// A parameter and what it is given, by the index of the block's port.
 #[derive(Debug)]
 pub struct Argument {
-    /// Index in [`Block::ports`].
+    /// Index in [`Shape::ports`].
     pub port: usize,
     /// What it is given.
     pub value: ArgumentValue,

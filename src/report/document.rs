@@ -37,8 +37,7 @@ struct RungItem<'r> {
 #[derive(Serialize)]
 struct EquationItem {
     number: u32,
-    /// From 1; none for what comes before all rungs.
-    rung: Option<u32>,
+    rung: u32,
     #[serde(flatten)]
     left: LeftItem,
     parts: Vec<PartItem>,
@@ -49,15 +48,30 @@ struct EquationItem {
 #[derive(Serialize)]
 #[serde(tag = "kind", rename_all = "lowercase")]
 enum LeftItem {
-    Assign { target: String },
-    Call { instance: String, block: &'static str, arguments: Vec<ArgumentItem> },
-    Reset { instance: String },
+    Assign {
+        target: String,
+    },
+    Call {
+        instance: String,
+        block: &'static str,
+        arguments: Vec<ArgumentItem>,
+        settings: Vec<SettingItem>,
+    },
+    Reset {
+        instance: String,
+    },
 }
 
 #[derive(Serialize)]
 struct ArgumentItem {
     parameter: &'static str,
     value: Expression,
+}
+
+#[derive(Serialize)]
+struct SettingItem {
+    parameter: &'static str,
+    value: String,
 }
 
 #[derive(Serialize)]
@@ -140,10 +154,9 @@ impl Report<'_> {
         for equation in self.listing.shown() {
             self.names.go_to(&mut newest, equation);
             let new = parts.introduce(&self.listing.formulas, equation);
-            let is_in_rung = (equation.rung as usize) < self.program.rungs.len();
             items.push(EquationItem {
                 number: equation.number,
-                rung: is_in_rung.then_some(equation.rung + 1),
+                rung: equation.rung + 1,
                 left: self.left_item(&parts, equation),
                 parts: new
                     .into_iter()
@@ -160,18 +173,20 @@ impl Report<'_> {
     }
 
     fn left_item(&self, parts: &Parts, equation: &Equation) -> LeftItem {
-        match equation.left {
-            Left::Variable(variable) => LeftItem::Assign { target: self.names.variable(variable) },
-            Left::Reset(instance) => LeftItem::Reset { instance: self.names.instance(instance) },
-            Left::Call(instance) => {
+        match &equation.left {
+            Left::Variable(variable) => LeftItem::Assign { target: self.names.variable(*variable) },
+            Left::Reset(instance) => LeftItem::Reset { instance: self.names.instance(*instance) },
+            Left::Call(instance, shape) => {
                 let argument = |&(parameter, value): &(&'static str, FormulaId)| ArgumentItem {
                     parameter,
                     value: self.expression(parts, value),
                 };
+                let setting = |(parameter, value)| SettingItem { parameter, value };
                 LeftItem::Call {
-                    instance: self.names.instance(instance),
-                    block: self.program.instances[instance].block.name,
+                    instance: self.names.instance(*instance),
+                    block: shape.block.name,
                     arguments: equation.arguments.iter().map(argument).collect(),
+                    settings: self.names.settings(shape).into_iter().map(setting).collect(),
                 }
             }
         }

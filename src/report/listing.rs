@@ -1,8 +1,10 @@
 //! The equations of a program: in the order of the text, or each as a function of inputs and of
 //! what the last scan left.
 
+use std::sync::Arc;
+
 use super::formula::{Formula, FormulaId, Formulas};
-use crate::blocks::PortRole;
+use crate::blocks::Shape;
 use crate::equations::{Equations, ExprId, ExprOp, StepKind};
 use crate::index::index;
 use crate::model::{BinaryOp, Edge, InstanceId, Program, Role, VariableId};
@@ -21,7 +23,7 @@ pub(super) struct Listing {
 pub(super) struct Equation {
     /// Its number, from 1, in the order of the text.
     pub number: u32,
-    /// Index of the rung that it stands in; a larger one if it stands in none.
+    /// Index of the rung that it stands in.
     pub rung: u32,
     /// What is written.
     pub left: Left,
@@ -34,10 +36,10 @@ pub(super) struct Equation {
 }
 
 /// The left side of an equation.
-#[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Left {
     Variable(VariableId),
-    Call(InstanceId),
+    /// With the kind that is called on the instance, and its settings.
+    Call(InstanceId, Arc<Shape>),
     Reset(InstanceId),
 }
 
@@ -96,8 +98,14 @@ impl Listing {
         }
         for equation in self.equations.iter_mut().rev() {
             equation.is_shown = match equation.left {
+                // A call takes what stands in its members.
+                Left::Variable(variable)
+                    if matches!(program.variables[variable].role, Role::Member(..)) =>
+                {
+                    true
+                }
                 Left::Variable(variable) => std::mem::take(&mut wanted[index(variable)]),
-                Left::Call(_) | Left::Reset(_) => true,
+                Left::Call(..) | Left::Reset(_) => true,
             };
         }
     }
@@ -216,23 +224,26 @@ impl Lister<'_> {
                 let role = self.program.variables[*target].role;
                 role.is_named().then(|| (Left::Variable(*target), value, Vec::new()))
             }
-            StepKind::Call { instance, power, arguments } => {
+            StepKind::Call { instance, shape, power, arguments } => {
                 let called = &self.program.instances[*instance];
-                let arguments: Vec<(usize, FormulaId)> =
+                let power = self.get(*power);
+                let given: Vec<(usize, FormulaId)> =
                     arguments.iter().map(|&(port, value)| (port, self.get(value))).collect();
-                for (port, &member) in called.block.ports.iter().zip(&called.members) {
-                    if port.role == PortRole::Output {
+                for (port, &member) in shape.ports.iter().zip(&called.members) {
+                    if port.role.is_result() {
                         let value = self.formulas.add(Formula::Value(member, Some(number)));
                         self.write(member, value);
                     }
                 }
-                for &(port, value) in &arguments {
+                for &(port, value) in &given {
                     self.write(called.members[port], value);
                 }
-                let name =
-                    |(port, value): (usize, FormulaId)| (called.block.ports[port].name, value);
-                let arguments = arguments.into_iter().map(name).collect();
-                Some((Left::Call(*instance), self.get(*power), arguments))
+                let mut arguments = self.starts(*instance, shape);
+                // Pulses of units and the dividers that make them are not in the program.
+                let named = given.iter().filter(|(port, _)| shape.ports[*port].role.is_parameter());
+                arguments.extend(named.map(|&(port, value)| (shape.ports[port].name, value)));
+                (!called.is_hidden)
+                    .then(|| (Left::Call(*instance, shape.clone()), power, arguments))
             }
             StepKind::Reset { instance, power } => {
                 let power = self.get(*power);
@@ -240,6 +251,22 @@ impl Lister<'_> {
                 Some((Left::Reset(*instance), power, Vec::new()))
             }
         }
+    }
+
+    /// What a call gives at reset only: the first one of an instance says it for both.
+    fn starts(&mut self, instance: InstanceId, shape: &Shape) -> Vec<(&'static str, FormulaId)> {
+        let called = &self.program.instances[instance];
+        if shape.block.name != called.shape.block.name {
+            return Vec::new();
+        }
+        let mut starts = Vec::new();
+        for (at, port) in shape.ports.iter().enumerate() {
+            if called.given[at] && port.role.is_loaded() {
+                let start = self.program.variables[called.members[at]].initial;
+                starts.push((port.name, self.formulas.add(Formula::Number(start, port.ty))));
+            }
+        }
+        starts
     }
 
     /// Notes what a variable holds from here on.
@@ -250,14 +277,13 @@ impl Lister<'_> {
     }
 
     fn reset(&mut self, instance: InstanceId, power: FormulaId) {
-        let reset = &self.program.instances[instance];
-        for (port, &member) in reset.block.ports.iter().zip(&reset.members) {
+        let program = self.program;
+        for (port, member, value) in program.instances[instance].cleared(program) {
             let Some(now) = &self.now else { return };
-            if port.role == PortRole::Output {
+            if port.role.is_result() {
                 let now = now[index(member)];
                 let off = now.unwrap_or_else(|| self.formulas.add(Formula::Value(member, None)));
-                let start = self.program.variables[member].initial;
-                let on = self.formulas.add(Formula::Number(start, port.ty));
+                let on = self.formulas.add(Formula::Number(value, port.ty));
                 let value = self.formulas.select(power, on, off, port.ty);
                 self.write(member, value);
             }

@@ -43,8 +43,8 @@ impl<'p> Report<'p> {
     fn written(&self) -> Vec<Vec<String>> {
         let mut written: Vec<Vec<String>> = vec![Vec::new(); self.program.rungs.len()];
         for equation in &self.listing.equations {
-            let Some(names) = written.get_mut(equation.rung as usize) else { continue };
-            let name = self.names.left(equation.left);
+            let names = &mut written[equation.rung as usize];
+            let name = self.names.left(&equation.left);
             if !names.contains(&name) {
                 names.push(name);
             }

@@ -1,9 +1,11 @@
 //! Names of values: which one is meant where a scan writes a variable several times.
 
 use super::listing::{Equation, Left, Listing};
+use crate::blocks::{Choice, Shape};
 use crate::equations::{Equations, StepId, StepKind};
 use crate::index::index;
 use crate::model::{InstanceId, Program, Role, VariableId};
+use crate::quantity;
 use crate::syntax::written_name;
 
 /// The names of values at a place of a listing.
@@ -97,8 +99,8 @@ impl<'p> Names<'p> {
         let declared = &self.program.variables[variable];
         match declared.role {
             Role::Member(instance, port) => {
-                let block = self.program.instances[instance].block;
-                format!("{}.{}", self.instance(instance), block.ports[port].name)
+                let shape = &self.program.instances[instance].shape;
+                format!("{}.{}", self.instance(instance), shape.ports[port].name)
             }
             Role::FirstScan => declared.name.to_string(),
             _ => written_name(&declared.name).into_owned(),
@@ -110,10 +112,29 @@ impl<'p> Names<'p> {
     }
 
     /// What an equation writes, without arguments.
-    pub fn left(&self, left: Left) -> String {
+    pub fn left(&self, left: &Left) -> String {
         match left {
-            Left::Variable(variable) => self.variable(variable),
-            Left::Call(instance) | Left::Reset(instance) => self.instance(instance),
+            Left::Variable(variable) => self.variable(*variable),
+            Left::Call(instance, _) | Left::Reset(instance) => self.instance(*instance),
         }
+    }
+
+    /// The settings of a call that are not what they are where none are given.
+    pub fn settings(&self, shape: &Shape) -> Vec<(&'static str, String)> {
+        let settings = shape.block.settings.iter().zip(&shape.chosen);
+        let text = |choice: &Choice, chosen: &[i64]| match choice {
+            Choice::Word(words) => (chosen[0] != 0).then(|| words[chosen[0] as usize].to_owned()),
+            Choice::Time(..) => {
+                let ns = i128::from(chosen[0]) * i128::from(self.program.tick_ns);
+                Some(quantity::time_text(ns))
+            }
+            Choice::List { .. } => {
+                let items: Vec<String> = chosen.iter().map(i64::to_string).collect();
+                (!items.is_empty()).then(|| format!("[{}]", items.join(", ")))
+            }
+        };
+        settings
+            .filter_map(|(one, chosen)| text(&one.choice, chosen).map(|text| (one.name, text)))
+            .collect()
     }
 }

@@ -57,14 +57,9 @@ impl Report<'_> {
         if !text.is_empty() {
             writeln!(text)?;
         }
-        match self.program.rungs.get(rung as usize) {
-            None => writeln!(text, "before all rungs"),
-            Some(written) => {
-                let title = written.title.as_ref();
-                let title = title.map(|title| format!(" \"{title}\"")).unwrap_or_default();
-                writeln!(text, "rung {}{title}, line {}", rung + 1, written.line)
-            }
-        }
+        let written = &self.program.rungs[rung as usize];
+        let title = written.title.as_ref().map(|title| format!(" \"{title}\"")).unwrap_or_default();
+        writeln!(text, "rung {}{title}, line {}", rung + 1, written.line)
     }
 
     /// An equation on one line.
@@ -84,20 +79,19 @@ impl Writer<'_> {
     fn equation(&self, equation: &Equation) -> String {
         let names: &Names<'_> = &self.report.names;
         let right = self.formula(equation.right, Around::Nothing);
-        match equation.left {
-            Left::Variable(variable) => format!("{} <- {right}", names.variable(variable)),
-            Left::Reset(instance) => format!("(R {}) <- {right}", names.instance(instance)),
-            Left::Call(instance) => {
-                let block = self.report.program.instances[instance].block;
-                let arguments: Vec<String> = equation
-                    .arguments
-                    .iter()
-                    .map(|&(name, value)| {
-                        format!("{name} := {}", self.formula(value, Around::Nothing))
-                    })
+        match &equation.left {
+            Left::Variable(variable) => format!("{} <- {right}", names.variable(*variable)),
+            Left::Reset(instance) => format!("(R {}) <- {right}", names.instance(*instance)),
+            Left::Call(instance, shape) => {
+                let given = equation.arguments.iter();
+                let given =
+                    given.map(|&(name, value)| (name, self.formula(value, Around::Nothing)));
+                let all: Vec<String> = given
+                    .chain(names.settings(shape))
+                    .map(|(name, value)| format!("{name} := {value}"))
                     .collect();
-                let arguments = arguments.join(", ");
-                format!("{}:{}({arguments}) <- {right}", names.instance(instance), block.name)
+                let (name, kind) = (names.instance(*instance), shape.block.name);
+                format!("{name}:{kind}({}) <- {right}", all.join(", "))
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Designs made by hand, to try the back ends on.
 
-use hotrail::blocks;
+use hotrail::blocks::{self, Shape};
 use hotrail::circuit::{Circuit, Design, Net, Signal, Valid, Version};
 
 /// Gives a net a name.
@@ -18,7 +18,7 @@ pub fn single(circuit: Circuit) -> Valid<Design> {
 /// A motor with seal-in, and a lamp that follows five seconds later.
 pub fn start_stop() -> Valid<Design> {
     let mut design = Design::default();
-    let ton = design.modules.alloc(blocks::module(blocks::ALL[0], &[0; 4]));
+    let ton = design.modules.alloc(blocks::module(&Shape::plain(blocks::ALL[0]), &[0; 4]));
     let mut top = Circuit::new("start_stop");
     top.comment.push("Start and stop, and a lamp.".to_owned());
     let tick = top.input("tick", 1);
@@ -145,7 +145,7 @@ fn random_cell(circuit: &mut Circuit, random: &mut fastrand::Rng, nets: &[Net]) 
 /// A timer of three ticks, bare.
 pub fn timer() -> Valid<Design> {
     let mut design = Design::default();
-    let ton = design.modules.alloc(blocks::module(blocks::ALL[0], &[0; 4]));
+    let ton = design.modules.alloc(blocks::module(&Shape::plain(blocks::ALL[0]), &[0; 4]));
     let mut top = Circuit::new("timer");
     let (tick, power) = (top.input("tick", 1), top.input("IN", 1));
     let delay = top.instance("delay", ton);
@@ -198,7 +198,7 @@ pub fn hostile() -> Valid<Design> {
 /// Two timers that start each other: the first reads what the second showed a scan ago.
 pub fn blinker() -> Valid<Design> {
     let mut design = Design::default();
-    let ton = design.modules.alloc(blocks::module(blocks::ALL[0], &[0; 4]));
+    let ton = design.modules.alloc(blocks::module(&Shape::plain(blocks::ALL[0]), &[0; 4]));
     let mut top = Circuit::new("blinker");
     let (tick, run) = (top.input("tick", 1), top.input("run", 1));
     let (preset, none) = (top.constant(2, 32), top.bit(false));

@@ -3,6 +3,7 @@
 
 pub mod bench;
 pub mod designs;
+pub mod folder;
 pub mod generate;
 pub mod interpreter;
 pub mod proof;

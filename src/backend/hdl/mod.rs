@@ -4,7 +4,7 @@ mod comment;
 mod expression;
 mod keywords;
 mod module;
-mod names;
+pub(super) mod names;
 mod naming;
 mod order;
 mod plan;

@@ -25,8 +25,8 @@ pub enum LineKind {
     Drive(String, u32, u64),
     /// Runs scans, with a tick each (`'1'`) or without.
     Scan(u64, char),
-    /// Starts a repetition.
-    Repeat(u64),
+    /// Starts a repetition, counted under a name where the language wants one.
+    Repeat(u64, String),
     /// Ends a repetition.
     EndRepeat,
     /// Back to reset.
@@ -77,7 +77,7 @@ impl Printer<'_> {
                 Statement::Scan(scans) => self.line(LineKind::Scan(*scans, '0')),
                 Statement::Wait(ticks) => self.line(LineKind::Scan(*ticks, '1')),
                 Statement::Repeat(times, statements) => {
-                    self.line(LineKind::Repeat(*times));
+                    self.line(LineKind::Repeat(*times, counter(self.depth)));
                     self.depth += 1;
                     self.statements(statements);
                     self.depth -= 1;
@@ -98,6 +98,24 @@ impl Printer<'_> {
             .collect();
         self.line(LineKind::Expect(expect.index, place, values));
     }
+}
+
+/// What counts a repetition inside `depth` others: one must not hide another.
+fn counter(depth: usize) -> String {
+    if depth == 0 { "round".to_owned() } else { format!("round_{}", depth + 1) }
+}
+
+/// The names of all that count repetitions.
+pub fn counters(program: &Program) -> impl Iterator<Item = String> {
+    fn deepest(statements: &[Statement]) -> usize {
+        let inside = statements.iter().map(|statement| match statement {
+            Statement::Repeat(_, statements) => 1 + deepest(statements),
+            _ => 0,
+        });
+        inside.max().unwrap_or(0)
+    }
+    let deepest = program.tests.iter().map(|test| deepest(&test.statements)).max();
+    (0..deepest.unwrap_or(0)).map(counter)
 }
 
 /// A text that means the same in a string of either language.

@@ -26,7 +26,7 @@ use lines::{Line, LineKind};
 pub use tap::outcomes;
 
 /// Names that the templates use for themselves, also of what VHDL's packages bring.
-const OWN_NAMES: [&str; 35] = [
+const OWN_NAMES: [&str; 34] = [
     "bits",
     "boolean",
     "buf",
@@ -50,7 +50,6 @@ const OWN_NAMES: [&str; 35] = [
     "print",
     "quoted",
     "reset",
-    "round",
     "scan",
     "std",
     "string",
@@ -218,6 +217,9 @@ impl Bench {
             namer.fix(own);
         }
         namer.fix(options.reset.port());
+        for counter in lines::counters(program) {
+            namer.take(counter, "");
+        }
         let expectations = expectation_nets(&all, &mut namer);
         let (signals, by_variable) = signals(program, core, observed, &core_ports, namer);
 
