@@ -1,6 +1,7 @@
 //! From a checked program and its circuit to files.
 
 pub mod hdl;
+pub mod processor;
 #[cfg(feature = "cli")]
 mod vcd;
 

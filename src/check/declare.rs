@@ -17,8 +17,7 @@ use crate::types::Type;
 /// Characters of the longest program name.
 const LONGEST_PROGRAM_NAME: usize = 64;
 /// Kinds of block that people know and that are still to come; a kind that is there is found first.
-const PLANNED_BLOCKS: [&str; 10] =
-    ["AB_TON", "AB_TOF", "AB_RTO", "AB_CTU", "AB_CTD", "AB_ONS", "SHL", "SHR", "RTO", "ONS"];
+const PLANNED_BLOCKS: [&str; 2] = ["SHL", "SHR"];
 const DEFAULT_CLOCK_HZ: u64 = 12_000_000;
 const DEFAULT_TICK_NS: u64 = 1_000_000;
 

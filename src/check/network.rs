@@ -7,7 +7,7 @@ use crate::model::{
     self, CoilAction, Element, Expr, ExprKind, Relation, Role, Variable, VariableId,
 };
 use crate::source::Span;
-use crate::syntax::ast::{self, Edge, ElementKind, Reference, Rung, Series};
+use crate::syntax::ast::{self, BinaryOperator, Edge, ElementKind, Reference, Rung, Series};
 use crate::types::Type;
 
 /// Where a network stands, which decides what may stand in it.
@@ -53,6 +53,12 @@ impl<'s> Checker<'s> {
                          `{one_shot} (y)` or `({contact} y)`"
                     ))
                 }
+                ElementKind::Compare(expr) => match assigned(expr) {
+                    Some(name) => diagnostic
+                        .also(last.span, "a comparison")
+                        .help(format!("to write `{name}`, assign with `:=`: {{ {name} := ... }}")),
+                    None => diagnostic,
+                },
                 _ => diagnostic,
             };
             self.report(diagnostic);
@@ -240,6 +246,7 @@ impl<'s> Checker<'s> {
     ) -> Checked<Element> {
         let variable = match self.resolve(target)? {
             Resolved::Instance(instance) if action == ast::CoilAction::Reset => {
+                self.resettable(instance, span)?;
                 return Ok(Element::ResetInstance(instance));
             }
             resolved => self.writable(resolved, target)?,
@@ -265,6 +272,22 @@ impl<'s> Checker<'s> {
             ast::CoilAction::Fall => CoilAction::Edge(Edge::Fall, memory(self)),
         };
         Ok(Element::Coil { target: variable, action, span })
+    }
+
+    fn resettable(&mut self, instance: model::InstanceId, span: Span) -> Checked<()> {
+        let instance = &self.program.instances[instance];
+        let block = instance.shape.block;
+        if block.can_reset {
+            return Ok(());
+        }
+        let message = format!("the {} `{}` cannot be reset", block.title, instance.name);
+        let diagnostic = Diagnostic::new(code::MISPLACED, span, message)
+            .label("a reset of an off-delay timer")
+            .help(format!(
+                "to end the delay, assign the preset: {{ {0}.ACC := {0}.PRE }}",
+                instance.name
+            ));
+        Err(self.report(diagnostic))
     }
 
     fn assignment(
@@ -392,4 +415,13 @@ fn has_output(series: &Series<'_>) -> bool {
         ElementKind::Parallel(branches) => branches.iter().any(has_output),
         _ => false,
     })
+}
+
+/// The name at the left of a comparison that starts as an assignment would, but for its `:`.
+fn assigned<'s>(expr: &ast::Expr<'s>) -> Option<&'s str> {
+    let ast::ExprKind::Binary(operator, left, _) = &expr.kind else { return None };
+    match (&left.kind, operator) {
+        (ast::ExprKind::Reference(target), BinaryOperator::Equal) => Some(target.name.text),
+        _ => assigned(left),
+    }
 }

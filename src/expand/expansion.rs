@@ -80,9 +80,10 @@ impl<'p> Expansion<'p> {
             Role::Member(instance, port)
                 if self.program.instances[instance].shape.ports[port].role == PortRole::Output =>
             {
-                let called = self.called(instance);
+                let shape = &self.program.instances[instance].shape;
+                let called = self.called(instance, shape);
                 let (id, module) = (called.id, called.module);
-                let name = self.program.instances[instance].shape.ports[port].name;
+                let name = shape.ports[port].name;
                 self.instance_output(id, module, &blocks::last(name), width)
             }
             _ if self.last_write[index(variable)].is_none() => {

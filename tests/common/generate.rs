@@ -25,6 +25,8 @@ struct Generator {
     /// Blocks still to be called.
     uncalled: Vec<Uncalled>,
     instances: Vec<String>,
+    /// Instances on which two kinds may be called and one is.
+    paired: Vec<String>,
     /// What is made stands in a connection of a general network.
     in_net: bool,
 }
@@ -50,6 +52,7 @@ pub fn program(seed: u64) -> String {
         targets: Vec::new(),
         uncalled: Vec::new(),
         instances: Vec::new(),
+        paired: Vec::new(),
         in_net: false,
     };
     generator.tick = generator.pick(&TICKS);
@@ -322,6 +325,17 @@ impl Generator {
                 None => format!("[ {} ]", self.looks(1)),
             };
             arguments.push(format!("{} := {value}", port.name));
+        }
+        if let Some(partner) = shape.block.partner.filter(|_| !self.paired.contains(&name)) {
+            self.paired.push(name.clone());
+            if self.random.bool() {
+                let partner = blocks::named(partner).unwrap();
+                let shape = Shape::new(partner, shape.chosen.clone());
+                // The first call in the text has said everything.
+                let left_out = vec![true; shape.ports.len()];
+                let (name, settings) = (name.clone(), Vec::new());
+                self.uncalled.push(Uncalled { name, shape, settings, left_out });
+            }
         }
         self.random.shuffle(&mut arguments);
         format!("{name}:{}({})", shape.block.name, arguments.join(", "))
