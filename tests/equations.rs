@@ -9,7 +9,7 @@ use common::{amount, generate};
 use fastrand::Rng;
 use hotrail::equations::{self, Graph, Kind};
 use hotrail::eval::Evaluator;
-use hotrail::model::{Program, Role, VariableId};
+use hotrail::model::{BinaryOp, Function, Program, Role, VariableId, convert};
 use hotrail::report::Report;
 use hotrail::source::Source;
 use hotrail::types::Type;
@@ -100,6 +100,8 @@ impl<'p> Machine<'p> {
             let (on, off) =
                 if map.contains_key("rise") { (value, before) } else { (before, value) };
             i64::from(on == 1 && off == 0)
+        } else if let Some(bit) = map.get("bit") {
+            self.evaluate(&map["of"]) >> bit.as_i64().unwrap() & 1
         } else if let Some(operand) = map.get("not") {
             1 - self.evaluate(operand)
         } else if map.contains_key("all") {
@@ -107,33 +109,50 @@ impl<'p> Machine<'p> {
         } else if map.contains_key("any") {
             list("any").into_iter().max().unwrap()
         } else if let Some(function) = map.get("function") {
-            match (function.as_str().unwrap(), list("operands").as_slice()) {
-                ("SEL", &[power, off, on]) => {
-                    if power == 1 {
-                        on
-                    } else {
-                        off
-                    }
+            let operands = list("operands");
+            let function = match function.as_str().unwrap() {
+                "NOT" => return ty().wrap(!operands[0]),
+                "WITH_BIT" => {
+                    let mask = 1 << operands[1];
+                    return ty().wrap((operands[0] & !mask) | (operands[2] * mask));
                 }
-                ("NOT", &[word]) => ty().wrap(!word),
-                other => panic!("{other:?}"),
-            }
+                "ELEMENT" => {
+                    let at = usize::try_from(operands[0]).ok();
+                    return at.and_then(|at| operands.get(at + 1)).copied().unwrap_or(0);
+                }
+                name if name.starts_with("TO_") => return convert(ty(), operands[0]),
+                "SEL" => Function::Select,
+                "ABS" => Function::Abs,
+                "MIN" => Function::Min,
+                "MAX" => Function::Max,
+                "LIMIT" => Function::Limit,
+                "SHL" => Function::ShiftLeft,
+                "SHR" => Function::ShiftRight,
+                "ROL" => Function::RotateLeft,
+                "ROR" => Function::RotateRight,
+                other => panic!("{other}"),
+            };
+            function.apply(ty(), &operands)
         } else {
             let [a, b] = list("operands")[..] else { panic!("an operator has two operands") };
-            match map["operator"].as_str().unwrap() {
-                "+" => ty().wrap(a + b),
-                "-" => ty().wrap(a - b),
-                "AND" => ty().wrap(a & b),
-                "OR" => ty().wrap(a | b),
-                "XOR" => ty().wrap(a ^ b),
-                "=" => (a == b).into(),
-                "<>" => (a != b).into(),
-                "<" => (a < b).into(),
-                "<=" => (a <= b).into(),
-                ">" => (a > b).into(),
-                ">=" => (a >= b).into(),
+            let op = match map["operator"].as_str().unwrap() {
+                "=" => return (a == b).into(),
+                "<>" => return (a != b).into(),
+                "<" => return (a < b).into(),
+                "<=" => return (a <= b).into(),
+                ">" => return (a > b).into(),
+                ">=" => return (a >= b).into(),
+                "+" => BinaryOp::Add,
+                "-" => BinaryOp::Subtract,
+                "*" => BinaryOp::Multiply,
+                "/" => BinaryOp::Divide,
+                "MOD" => BinaryOp::Modulo,
+                "AND" => BinaryOp::And,
+                "OR" => BinaryOp::Or,
+                "XOR" => BinaryOp::Xor,
                 other => panic!("{other}"),
-            }
+            };
+            op.apply(ty(), a, b)
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{Equations, ExprId, ExprOp, StepKind};
 use crate::index::index;
-use crate::model::{BinaryOp, Program};
+use crate::model::{BinaryOp, Function, Program};
 
 /// The longest chain of gates from a register or an input to a register, in the circuit that
 /// runs a scan in one clock. It is an estimate: synthesis merges some gates and splits others.
@@ -100,21 +100,49 @@ impl Equations {
 
     /// About how many gates in a row an operation is.
     fn gates(&self, id: ExprId) -> u32 {
+        let width = |expr: ExprId| self.exprs[expr].ty.width();
         match self.exprs[id].op {
-            ExprOp::Constant(_) | ExprOp::Read { .. } | ExprOp::Not(_) => 0,
-            ExprOp::All(list) | ExprOp::Any(list) => fan_in(self.list(list).len() as u32),
+            ExprOp::Constant(_)
+            | ExprOp::Read { .. }
+            | ExprOp::Not(_)
+            | ExprOp::Convert(_)
+            | ExprOp::Bit(..)
+            | ExprOp::WithBit { .. } => 0,
+            ExprOp::All(list) | ExprOp::Any(list) => fan_in(self.list(list).len()),
             ExprOp::Select { .. } => 1,
             ExprOp::Binary(op, a, _) => match op {
                 BinaryOp::And | BinaryOp::Or | BinaryOp::Xor => 1,
-                BinaryOp::Add | BinaryOp::Subtract => carry(self.exprs[a].ty.width()),
+                BinaryOp::Add | BinaryOp::Subtract => carry(width(a)),
+                // A tree of adders; a row of subtractions, each with a choice.
+                BinaryOp::Multiply => 4 * carry(width(a)),
+                BinaryOp::Divide | BinaryOp::Modulo => width(a) * (carry(width(a)) + 1),
             },
-            ExprOp::Compare(_, a, _) => carry(self.exprs[a].ty.width()),
+            ExprOp::Compare(_, a, _) => carry(width(a)),
+            ExprOp::Call(function, list) => {
+                let list = self.list(list);
+                match function {
+                    Function::Select => 1,
+                    Function::Abs => carry(width(id)) + 1,
+                    Function::Min | Function::Max | Function::Limit => {
+                        (list.len() as u32 - 1) * (carry(width(id)) + 1)
+                    }
+                    // A choice for each bit of the amount.
+                    Function::ShiftLeft
+                    | Function::ShiftRight
+                    | Function::RotateLeft
+                    | Function::RotateRight => match self.exprs[list[1]].op {
+                        ExprOp::Constant(_) => 0,
+                        _ => width(id).ilog2() + 2,
+                    },
+                }
+            }
+            ExprOp::Element { elements, .. } => 2 + fan_in(self.list(elements).len()),
         }
     }
 }
 
 /// Gates of four inputs in a row for so many inputs.
-fn fan_in(inputs: u32) -> u32 {
+fn fan_in(inputs: usize) -> u32 {
     let mut levels = 1;
     let mut reached = 4;
     while reached < inputs {

@@ -9,6 +9,7 @@ mod at_rail;
 mod coil_and_latch;
 mod dead_end;
 mod declared;
+mod divider;
 mod double_coil;
 mod idle;
 mod index;
@@ -55,6 +56,7 @@ const RULES: &[Rule] = &[
     preset_zero::check,
     unreset::check,
     running_equality::check,
+    divider::check,
 ];
 
 /// The warnings and notes on a program, in the order of their places. What the options deny is

@@ -89,6 +89,7 @@ enum Expression {
     Rise { rise: Box<Expression> },
     Fall { fall: Box<Expression> },
     Not { not: Box<Expression> },
+    Bit { bit: u32, of: Box<Expression> },
     All { all: Vec<Expression> },
     Any { any: Vec<Expression> },
     Operator { operator: &'static str, r#type: &'static str, operands: Vec<Expression> },
@@ -214,6 +215,7 @@ impl Report<'_> {
             Formula::Not(operand) => Expression::Not { not: one(*operand) },
             Formula::All(operands) => Expression::All { all: list(operands) },
             Formula::Any(operands) => Expression::Any { any: list(operands) },
+            Formula::Bit(whole, bit) => Expression::Bit { bit: *bit, of: one(*whole) },
             Formula::Infix(operator, pair, ty) => {
                 Expression::Operator { operator, r#type: ty.name(), operands: list(pair) }
             }

@@ -28,7 +28,10 @@ pub(super) enum Formula {
     Any(Vec<FormulaId>),
     /// An operator of the language between two values, and the type of its result.
     Infix(&'static str, [FormulaId; 2], Type),
-    /// A function of the language, or `NOT` of a word, and the type of its result.
+    /// A bit of a number.
+    Bit(FormulaId, u32),
+    /// A function of the language, or one that the page of the command describes, and the type of
+    /// its result.
     Apply(&'static str, Vec<FormulaId>, Type),
 }
 
@@ -37,7 +40,9 @@ impl Formula {
     pub fn operands(&self) -> &[FormulaId] {
         match self {
             Formula::Number(..) | Formula::Value(..) => &[],
-            Formula::Edge(_, one) | Formula::Not(one) => std::slice::from_ref(one),
+            Formula::Edge(_, one) | Formula::Not(one) | Formula::Bit(one, _) => {
+                std::slice::from_ref(one)
+            }
             Formula::All(list) | Formula::Any(list) | Formula::Apply(_, list, _) => list,
             Formula::Infix(_, pair, _) => pair,
         }

@@ -7,7 +7,7 @@ use super::formula::{Formula, FormulaId, Formulas};
 use crate::blocks::Shape;
 use crate::equations::{Equations, ExprId, ExprOp, StepKind};
 use crate::index::index;
-use crate::model::{BinaryOp, Edge, InstanceId, Program, Role, VariableId};
+use crate::model::{BinaryOp, Edge, Function, InstanceId, Program, Role, VariableId};
 use crate::types::Type;
 
 /// Equations, and the formulas that they take.
@@ -162,6 +162,30 @@ impl Lister<'_> {
                 let (power, on, off) = (self.get(power), self.get(on), self.get(off));
                 self.formulas.select(power, on, off, expr.ty)
             }
+            ExprOp::Convert(operand) => self.apply(conversion(expr.ty), &[operand], expr.ty),
+            ExprOp::Bit(whole, bit) => {
+                let whole = self.get(whole);
+                self.formulas.add(Formula::Bit(whole, bit))
+            }
+            ExprOp::WithBit { whole, bit, value } => {
+                let number = self.formulas.add(Formula::Number(bit.into(), Type::Int));
+                let list = vec![self.get(whole), number, self.get(value)];
+                self.formulas.add(Formula::Apply("WITH_BIT", list, expr.ty))
+            }
+            ExprOp::Element { index, elements } => {
+                let mut list = vec![self.get(index)];
+                list.extend(self.list(self.equations.list(elements)));
+                self.formulas.add(Formula::Apply("ELEMENT", list, expr.ty))
+            }
+            ExprOp::Call(Function::Select, list) => {
+                match self.list(self.equations.list(list))[..] {
+                    [power, off, on] => self.formulas.select(power, on, off, expr.ty),
+                    _ => unreachable!("the checker counts arguments"),
+                }
+            }
+            ExprOp::Call(function, list) => {
+                self.apply(function_name(function), self.equations.list(list), expr.ty)
+            }
             ExprOp::Binary(op, a, b) => self.binary(op, [self.get(a), self.get(b)], expr.ty),
             ExprOp::Compare(relation, a, b) => {
                 let pair = [self.get(a), self.get(b)];
@@ -185,6 +209,9 @@ impl Lister<'_> {
             BinaryOp::Or if ty == Type::Bool => return self.formulas.any(&pair),
             BinaryOp::Add => "+",
             BinaryOp::Subtract => "-",
+            BinaryOp::Multiply => "*",
+            BinaryOp::Divide => "/",
+            BinaryOp::Modulo => "MOD",
             BinaryOp::And => "AND",
             BinaryOp::Or => "OR",
             BinaryOp::Xor => "XOR",
@@ -288,5 +315,32 @@ impl Lister<'_> {
                 self.write(member, value);
             }
         }
+    }
+}
+
+fn function_name(function: Function) -> &'static str {
+    match function {
+        Function::Abs => "ABS",
+        Function::Min => "MIN",
+        Function::Max => "MAX",
+        Function::Limit => "LIMIT",
+        Function::Select => "SEL",
+        Function::ShiftLeft => "SHL",
+        Function::ShiftRight => "SHR",
+        Function::RotateLeft => "ROL",
+        Function::RotateRight => "ROR",
+    }
+}
+
+fn conversion(to: Type) -> &'static str {
+    match to {
+        Type::Bool => "TO_BOOL",
+        Type::Int => "TO_INT",
+        Type::Uint => "TO_UINT",
+        Type::Dint => "TO_DINT",
+        Type::Udint => "TO_UDINT",
+        Type::Word => "TO_WORD",
+        Type::Dword => "TO_DWORD",
+        Type::Time => "TO_TIME",
     }
 }

@@ -103,6 +103,11 @@ impl<'p> Names<'p> {
                 format!("{}.{}", self.instance(instance), shape.ports[port].name)
             }
             Role::FirstScan => declared.name.to_string(),
+            _ if let Some(array) = self.program.array_of(variable) => {
+                let array = &self.program.arrays[array];
+                let number = index(variable) - index(array.elements.first);
+                format!("{}[{number}]", written_name(&array.name))
+            }
             _ => written_name(&declared.name).into_owned(),
         }
     }

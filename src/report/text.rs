@@ -130,6 +130,7 @@ impl Writer<'_> {
                     _ => format!("({a} {symbol} {b})"),
                 }
             }
+            Formula::Bit(whole, bit) => format!("{}.{bit}", self.formula(*whole, Around::Tight)),
             Formula::Apply(function, list, _) => {
                 let list: Vec<String> =
                     list.iter().map(|&one| self.formula(one, Around::Nothing)).collect();
