@@ -20,19 +20,21 @@ entity traffic_lights_TON_power1_PT120 is
 end entity traffic_lights_TON_power1_PT120;
 
 architecture rtl of traffic_lights_TON_power1_PT120 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(6 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal choice : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
+  signal equal : std_logic;
+  signal sum : unsigned(6 downto 0);
+  signal choice : unsigned(6 downto 0);
+  signal equal_2 : std_logic;
+  signal ET_next : unsigned(6 downto 0);
 begin
-  less <= '1' when signed(ET) < 120 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  choice <= sum when was = '1' else to_unsigned(0, 32);
-  ET_next <= to_unsigned(0, 32) when clear_after = '1' else choice;
+  equal <= '1' when ET = 120 else '0';
+  sum <= ET + (to_unsigned(0, 6) & (tick and not equal));
+  choice <= sum when was = '1' else to_unsigned(0, 7);
+  equal_2 <= '1' when ET = 119 else '0';
+  ET_next <= to_unsigned(0, 7) when clear_after = '1' else choice;
 
-  Q <= '1' when signed(choice) >= 120 else '0';
+  Q <= was and ((tick and equal_2) or equal);
 
   process (clk)
   begin
@@ -68,19 +70,28 @@ entity traffic_lights_TON_PT30 is
 end entity traffic_lights_TON_PT30;
 
 architecture rtl of traffic_lights_TON_PT30 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(4 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal ET_is_30 : std_logic := '0';
+  signal condition : std_logic;
+  signal condition_2 : std_logic;
+  signal sum : unsigned(4 downto 0);
+  signal choice : unsigned(4 downto 0);
+  signal ET_next : unsigned(4 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
+  signal ET_is_30_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 30 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(ET_next) >= 30 else '0';
+  condition <= power and was;
+  condition_2 <= tick and not ET_is_30;
+  sum <= ET + 1;
+  choice <= sum when condition_2 = '1' else ET;
+  ET_next <= choice when condition = '1' else to_unsigned(0, 5);
+  equal <= '1' when ET = 29 else '0';
+  choice_2 <= equal when condition_2 = '1' else ET_is_30;
+  ET_is_30_next <= choice_2 when condition = '1' else '0';
 
-  Q <= power and at_least;
+  Q <= ET_is_30_next;
 
   process (clk)
   begin
@@ -88,9 +99,11 @@ begin
       if rst = '1' then
         ET <= (others => '0');
         was <= '0';
+        ET_is_30 <= '0';
       else
         ET <= ET_next;
         was <= power;
+        ET_is_30 <= ET_is_30_next;
       end if;
     end if;
   end process;
@@ -116,19 +129,28 @@ entity traffic_lights_TON_PT60 is
 end entity traffic_lights_TON_PT60;
 
 architecture rtl of traffic_lights_TON_PT60 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(5 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal ET_is_60 : std_logic := '0';
+  signal condition : std_logic;
+  signal condition_2 : std_logic;
+  signal sum : unsigned(5 downto 0);
+  signal choice : unsigned(5 downto 0);
+  signal ET_next : unsigned(5 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
+  signal ET_is_60_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 60 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(ET_next) >= 60 else '0';
+  condition <= power and was;
+  condition_2 <= tick and not ET_is_60;
+  sum <= ET + 1;
+  choice <= sum when condition_2 = '1' else ET;
+  ET_next <= choice when condition = '1' else to_unsigned(0, 6);
+  equal <= '1' when ET = 59 else '0';
+  choice_2 <= equal when condition_2 = '1' else ET_is_60;
+  ET_is_60_next <= choice_2 when condition = '1' else '0';
 
-  Q <= power and at_least;
+  Q <= ET_is_60_next;
 
   process (clk)
   begin
@@ -136,9 +158,11 @@ begin
       if rst = '1' then
         ET <= (others => '0');
         was <= '0';
+        ET_is_60 <= '0';
       else
         ET <= ET_next;
         was <= power;
+        ET_is_60 <= ET_is_60_next;
       end if;
     end if;
   end process;
@@ -164,19 +188,28 @@ entity traffic_lights_TON_PT100 is
 end entity traffic_lights_TON_PT100;
 
 architecture rtl of traffic_lights_TON_PT100 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(6 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal ET_is_100 : std_logic := '0';
+  signal condition : std_logic;
+  signal condition_2 : std_logic;
+  signal sum : unsigned(6 downto 0);
+  signal choice : unsigned(6 downto 0);
+  signal ET_next : unsigned(6 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
+  signal ET_is_100_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 100 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(ET_next) >= 100 else '0';
+  condition <= power and was;
+  condition_2 <= tick and not ET_is_100;
+  sum <= ET + 1;
+  choice <= sum when condition_2 = '1' else ET;
+  ET_next <= choice when condition = '1' else to_unsigned(0, 7);
+  equal <= '1' when ET = 99 else '0';
+  choice_2 <= equal when condition_2 = '1' else ET_is_100;
+  ET_is_100_next <= choice_2 when condition = '1' else '0';
 
-  Q <= power and at_least;
+  Q <= ET_is_100_next;
 
   process (clk)
   begin
@@ -184,9 +217,11 @@ begin
       if rst = '1' then
         ET <= (others => '0');
         was <= '0';
+        ET_is_100 <= '0';
       else
         ET <= ET_next;
         was <= power;
+        ET_is_100 <= ET_is_100_next;
       end if;
     end if;
   end process;

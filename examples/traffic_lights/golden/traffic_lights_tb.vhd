@@ -19,24 +19,26 @@ entity traffic_lights_test_TON_power1_PT120 is
     tick        : in  std_logic;
     clear_after : in  std_logic;
     Q           : out std_logic;
-    ET_last     : out unsigned(31 downto 0)
+    ET_last     : out unsigned(6 downto 0)
   );
 end entity traffic_lights_test_TON_power1_PT120;
 
 architecture rtl of traffic_lights_test_TON_power1_PT120 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(6 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal choice : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
+  signal equal : std_logic;
+  signal sum : unsigned(6 downto 0);
+  signal choice : unsigned(6 downto 0);
+  signal equal_2 : std_logic;
+  signal ET_next : unsigned(6 downto 0);
 begin
-  less <= '1' when signed(ET) < 120 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  choice <= sum when was = '1' else to_unsigned(0, 32);
-  ET_next <= to_unsigned(0, 32) when clear_after = '1' else choice;
+  equal <= '1' when ET = 120 else '0';
+  sum <= ET + (to_unsigned(0, 6) & (tick and not equal));
+  choice <= sum when was = '1' else to_unsigned(0, 7);
+  equal_2 <= '1' when ET = 119 else '0';
+  ET_next <= to_unsigned(0, 7) when clear_after = '1' else choice;
 
-  Q <= '1' when signed(choice) >= 120 else '0';
+  Q <= was and ((tick and equal_2) or equal);
   ET_last <= ET;
 
   process (clk)
@@ -73,19 +75,28 @@ entity traffic_lights_test_TON_PT30 is
 end entity traffic_lights_test_TON_PT30;
 
 architecture rtl of traffic_lights_test_TON_PT30 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(4 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal ET_is_30 : std_logic := '0';
+  signal condition : std_logic;
+  signal condition_2 : std_logic;
+  signal sum : unsigned(4 downto 0);
+  signal choice : unsigned(4 downto 0);
+  signal ET_next : unsigned(4 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
+  signal ET_is_30_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 30 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(ET_next) >= 30 else '0';
+  condition <= power and was;
+  condition_2 <= tick and not ET_is_30;
+  sum <= ET + 1;
+  choice <= sum when condition_2 = '1' else ET;
+  ET_next <= choice when condition = '1' else to_unsigned(0, 5);
+  equal <= '1' when ET = 29 else '0';
+  choice_2 <= equal when condition_2 = '1' else ET_is_30;
+  ET_is_30_next <= choice_2 when condition = '1' else '0';
 
-  Q <= power and at_least;
+  Q <= ET_is_30_next;
 
   process (clk)
   begin
@@ -93,9 +104,11 @@ begin
       if rst = '1' then
         ET <= (others => '0');
         was <= '0';
+        ET_is_30 <= '0';
       else
         ET <= ET_next;
         was <= power;
+        ET_is_30 <= ET_is_30_next;
       end if;
     end if;
   end process;
@@ -121,19 +134,28 @@ entity traffic_lights_test_TON_PT60 is
 end entity traffic_lights_test_TON_PT60;
 
 architecture rtl of traffic_lights_test_TON_PT60 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(5 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal ET_is_60 : std_logic := '0';
+  signal condition : std_logic;
+  signal condition_2 : std_logic;
+  signal sum : unsigned(5 downto 0);
+  signal choice : unsigned(5 downto 0);
+  signal ET_next : unsigned(5 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
+  signal ET_is_60_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 60 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(ET_next) >= 60 else '0';
+  condition <= power and was;
+  condition_2 <= tick and not ET_is_60;
+  sum <= ET + 1;
+  choice <= sum when condition_2 = '1' else ET;
+  ET_next <= choice when condition = '1' else to_unsigned(0, 6);
+  equal <= '1' when ET = 59 else '0';
+  choice_2 <= equal when condition_2 = '1' else ET_is_60;
+  ET_is_60_next <= choice_2 when condition = '1' else '0';
 
-  Q <= power and at_least;
+  Q <= ET_is_60_next;
 
   process (clk)
   begin
@@ -141,9 +163,11 @@ begin
       if rst = '1' then
         ET <= (others => '0');
         was <= '0';
+        ET_is_60 <= '0';
       else
         ET <= ET_next;
         was <= power;
+        ET_is_60 <= ET_is_60_next;
       end if;
     end if;
   end process;
@@ -169,19 +193,28 @@ entity traffic_lights_test_TON_PT100 is
 end entity traffic_lights_test_TON_PT100;
 
 architecture rtl of traffic_lights_test_TON_PT100 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(6 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal ET_is_100 : std_logic := '0';
+  signal condition : std_logic;
+  signal condition_2 : std_logic;
+  signal sum : unsigned(6 downto 0);
+  signal choice : unsigned(6 downto 0);
+  signal ET_next : unsigned(6 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
+  signal ET_is_100_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 100 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(ET_next) >= 100 else '0';
+  condition <= power and was;
+  condition_2 <= tick and not ET_is_100;
+  sum <= ET + 1;
+  choice <= sum when condition_2 = '1' else ET;
+  ET_next <= choice when condition = '1' else to_unsigned(0, 7);
+  equal <= '1' when ET = 99 else '0';
+  choice_2 <= equal when condition_2 = '1' else ET_is_100;
+  ET_is_100_next <= choice_2 when condition = '1' else '0';
 
-  Q <= power and at_least;
+  Q <= ET_is_100_next;
 
   process (clk)
   begin
@@ -189,9 +222,11 @@ begin
       if rst = '1' then
         ET <= (others => '0');
         was <= '0';
+        ET_is_100 <= '0';
       else
         ET <= ET_next;
         was <= power;
+        ET_is_100 <= ET_is_100_next;
       end if;
     end if;
   end process;
@@ -230,7 +265,7 @@ architecture rtl of traffic_lights_test is
   signal ew_yellow_reg : std_logic := '0';
   signal ew_red_reg : std_logic := '1';
   signal t1_Q : std_logic;
-  signal t1_ET_last : unsigned(31 downto 0);
+  signal t1_ET_last : unsigned(6 downto 0);
   signal t2_Q : std_logic;
   signal t3_Q : std_logic;
   signal t4_Q : std_logic;
@@ -246,6 +281,7 @@ architecture rtl of traffic_lights_test is
   signal ns_red_next : std_logic;
   signal turn_red_next : std_logic;
   signal ew_red_next : std_logic;
+  signal t1_ET_value : unsigned(31 downto 0);
 begin
 
   -- rung 1 "intervals 1 to 6", traffic_lights.ladder:12
@@ -326,6 +362,7 @@ begin
 
   -- rung 10, traffic_lights.ladder:32
   ew_red_next <= not ew_green_next and not ew_yellow_next;
+  t1_ET_value <= resize(t1_ET_last, 32);
 
   ns_green <= ns_green_reg;
   ns_yellow <= ns_yellow_reg;
@@ -336,7 +373,7 @@ begin
   ew_green <= ew_green_reg;
   ew_yellow <= ew_yellow_reg;
   ew_red <= ew_red_reg;
-  t1_ET <= std_logic_vector(t1_ET_last);
+  t1_ET <= std_logic_vector(t1_ET_value);
 
   process (clk)
   begin

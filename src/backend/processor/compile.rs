@@ -378,12 +378,7 @@ impl Compiler<'_> {
     }
 
     /// Branches with outputs in them: each is worked out in its turn.
-    fn list(
-        &mut self,
-        branches: &[Vec<Element>],
-        power: Power,
-        wanted: bool,
-    ) -> Done<Power> {
+    fn list(&mut self, branches: &[Vec<Element>], power: Power, wanted: bool) -> Done<Power> {
         let writes = |compiler: &Self, branches: &[Vec<Element>]| {
             let mut written = Vec::new();
             branches.iter().flatten().for_each(|element| compiler.written(element, &mut written));

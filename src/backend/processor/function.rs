@@ -156,7 +156,13 @@ impl Functions {
         let (new, coil) = match self.timer {
             TimerType::OnDelay => {
                 let counts = power && enable && before.was_enabled;
-                let new = if !enable { 0 } else if counts { counted } else { old };
+                let new = if !enable {
+                    0
+                } else if counts {
+                    counted
+                } else {
+                    old
+                };
                 (new, new >= preset)
             }
             TimerType::OffDelay if !enable => (0, false),

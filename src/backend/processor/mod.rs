@@ -23,5 +23,5 @@ pub use layout::Layout;
 pub use rom::{Fault, FaultKind, Pins, Rom, region};
 pub use tree::{Bridge, Contact, Tree};
 pub use word::{
-    Address, Attribute, Illegal, ONE, Operation, Prefix, TimerType, Word, FIRST_FLAG, FIRST_OUTPUT,
+    Address, Attribute, FIRST_FLAG, FIRST_OUTPUT, Illegal, ONE, Operation, Prefix, TimerType, Word,
 };
