@@ -202,7 +202,11 @@ fn literal(ty: Type, value: i64, tick: i64) -> String {
 }
 
 /// A variable's name as a program writes it.
-fn quoted(program: &Program, variable: &Variable) -> String {
+fn quoted(program: &Program, id: VariableId, variable: &Variable) -> String {
+    if let Some(array) = program.array_of(id) {
+        let (array, index) = (&program.arrays[array].name, variable.name.rfind('['));
+        return format!("`{array}`{}", &variable.name[index.expect("elements have an index")..]);
+    }
     match variable.role {
         Role::Member(instance, port) => {
             let instance = &program.instances[instance];
@@ -223,7 +227,7 @@ fn with_recorded_test(text: &str, program: &Program, random: &mut Rng) -> String
     for _ in 0..60 {
         for &input in &inputs {
             let ty = &program.variables[input].ty;
-            let name = quoted(program, &program.variables[input]);
+            let name = quoted(program, input, &program.variables[input]);
             if random.u8(..3) == 0 {
                 let value = if random.bool() { random.i64(-3..4) } else { random.i64(..) };
                 let value = ty.wrap(value);
@@ -236,7 +240,7 @@ fn with_recorded_test(text: &str, program: &Program, random: &mut Rng) -> String
         let run = if tick { format!("wait {tick_ms}ms") } else { "scan".to_owned() };
         write!(text, "    {run} expect TRUE").unwrap();
         for (id, variable) in program.variables.iter().filter(|(_, v)| is_shown(v)) {
-            let (name, value) = (quoted(program, variable), evaluator.value(id));
+            let (name, value) = (quoted(program, id, variable), evaluator.value(id));
             match variable.ty {
                 Type::Bool if value == 1 => write!(text, " {name}").unwrap(),
                 Type::Bool => write!(text, " !{name}").unwrap(),

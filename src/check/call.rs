@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::names::Entity;
-use super::network::Place;
+use super::network::Site;
 use super::{Checked, Checker, Reported};
 use crate::blocks::{self, Shape};
 use crate::diagnostic::{Diagnostic, code, shortened, similar_name};
@@ -188,7 +188,7 @@ impl<'s> Checker<'s> {
     fn circuit(&mut self, value: &ast::ArgumentValue<'s>) -> Checked<ArgumentValue> {
         let expr = match value {
             ast::ArgumentValue::Network(network) => {
-                return Ok(ArgumentValue::Network(self.series(network, Place::Argument)));
+                return Ok(ArgumentValue::Network(self.series(network, Site::Argument)));
             }
             ast::ArgumentValue::List(items, _) if items.len() == 1 => &items[0],
             ast::ArgumentValue::List(_, span) => {

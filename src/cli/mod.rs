@@ -6,6 +6,7 @@ mod check;
 mod completions;
 mod draw;
 mod dump;
+mod equations;
 mod explain;
 mod fmt;
 mod lints;
@@ -56,6 +57,7 @@ enum Command {
     Test(test::Options),
     Sim(sim::Options),
     Fmt(fmt::Options),
+    Equations(equations::Options),
     Draw(draw::Options),
     Explain(explain::Options),
     Blocks(blocks::Options),
@@ -153,6 +155,7 @@ pub fn run() -> ExitCode {
         Command::Test(options) => test::run(&options, &mut report),
         Command::Sim(options) => sim::run(&options, &mut report),
         Command::Fmt(options) => fmt::run(&options, &mut report),
+        Command::Equations(options) => equations::run(&options, &mut report),
         Command::Draw(options) => draw::run(&options, &mut report),
         Command::Explain(options) => return exit_code(explain::run(&options)),
         Command::Blocks(options) => return exit_code(blocks::run(&options)),

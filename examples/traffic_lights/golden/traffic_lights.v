@@ -183,7 +183,7 @@ module traffic_lights (
   reg ew_yellow_reg = 1'b0;
   reg ew_red_reg = 1'b1;
 
-  // rung 1 "intervals 1 to 6", traffic_lights.ladder:12
+  // rung 1 "intervals 1 to 6", traffic_lights.ladder:13
   wire t1_Q;
   wire t2_Q;
   traffic_lights_TON_PT30 t2 (
@@ -234,31 +234,31 @@ module traffic_lights (
   );
   wire rung1_power = ~t6_Q & t1_Q;
 
-  // rung 2 "interval 1: north-south may go", traffic_lights.ladder:16
+  // rung 2 "interval 1: north-south may go", traffic_lights.ladder:17
   wire ns_green_next = ~rung1_power;
 
-  // rung 3 "interval 2", traffic_lights.ladder:18
+  // rung 3 "interval 2", traffic_lights.ladder:19
   wire ns_yellow_next = rung1_power & ~t2_Q;
 
-  // rung 4 "interval 3: north-south may turn", traffic_lights.ladder:20
+  // rung 4 "interval 3: north-south may turn", traffic_lights.ladder:21
   wire turn_green_next = t2_Q & ~t3_Q;
 
-  // rung 5 "interval 4", traffic_lights.ladder:22
+  // rung 5 "interval 4", traffic_lights.ladder:23
   wire turn_yellow_next = t3_Q & ~t4_Q;
 
-  // rung 6 "interval 5: east-west may go", traffic_lights.ladder:24
+  // rung 6 "interval 5: east-west may go", traffic_lights.ladder:25
   wire ew_green_next = t4_Q & ~t5_Q;
 
-  // rung 7 "interval 6", traffic_lights.ladder:26
+  // rung 7 "interval 6", traffic_lights.ladder:27
   wire ew_yellow_next = t5_Q & rung1_power;
 
-  // rung 8 "red whenever a lane has neither green nor yellow", traffic_lights.ladder:29
+  // rung 8 "red whenever a lane has neither green nor yellow", traffic_lights.ladder:30
   wire ns_red_next = rung1_power & ~ns_yellow_next;
 
-  // rung 9, traffic_lights.ladder:31
+  // rung 9, traffic_lights.ladder:32
   wire turn_red_next = ~turn_green_next & ~turn_yellow_next;
 
-  // rung 10, traffic_lights.ladder:32
+  // rung 10, traffic_lights.ladder:33
   wire ew_red_next = ~ew_green_next & ~ew_yellow_next;
 
   assign ns_green = ns_green_reg;

@@ -276,7 +276,7 @@ architecture rtl of traffic_lights is
   signal ew_red_next : std_logic;
 begin
 
-  -- rung 1 "intervals 1 to 6", traffic_lights.ladder:12
+  -- rung 1 "intervals 1 to 6", traffic_lights.ladder:13
   t2: entity work.traffic_lights_TON_PT30
     port map (
       clk => clk,
@@ -327,31 +327,31 @@ begin
     );
   rung1_power <= not t6_Q and t1_Q;
 
-  -- rung 2 "interval 1: north-south may go", traffic_lights.ladder:16
+  -- rung 2 "interval 1: north-south may go", traffic_lights.ladder:17
   ns_green_next <= not rung1_power;
 
-  -- rung 3 "interval 2", traffic_lights.ladder:18
+  -- rung 3 "interval 2", traffic_lights.ladder:19
   ns_yellow_next <= rung1_power and not t2_Q;
 
-  -- rung 4 "interval 3: north-south may turn", traffic_lights.ladder:20
+  -- rung 4 "interval 3: north-south may turn", traffic_lights.ladder:21
   turn_green_next <= t2_Q and not t3_Q;
 
-  -- rung 5 "interval 4", traffic_lights.ladder:22
+  -- rung 5 "interval 4", traffic_lights.ladder:23
   turn_yellow_next <= t3_Q and not t4_Q;
 
-  -- rung 6 "interval 5: east-west may go", traffic_lights.ladder:24
+  -- rung 6 "interval 5: east-west may go", traffic_lights.ladder:25
   ew_green_next <= t4_Q and not t5_Q;
 
-  -- rung 7 "interval 6", traffic_lights.ladder:26
+  -- rung 7 "interval 6", traffic_lights.ladder:27
   ew_yellow_next <= t5_Q and rung1_power;
 
-  -- rung 8 "red whenever a lane has neither green nor yellow", traffic_lights.ladder:29
+  -- rung 8 "red whenever a lane has neither green nor yellow", traffic_lights.ladder:30
   ns_red_next <= rung1_power and not ns_yellow_next;
 
-  -- rung 9, traffic_lights.ladder:31
+  -- rung 9, traffic_lights.ladder:32
   turn_red_next <= not turn_green_next and not turn_yellow_next;
 
-  -- rung 10, traffic_lights.ladder:32
+  -- rung 10, traffic_lights.ladder:33
   ew_red_next <= not ew_green_next and not ew_yellow_next;
 
   ns_green <= ns_green_reg;

@@ -187,7 +187,7 @@ module traffic_lights_test (
   reg ew_yellow_reg = 1'b0;
   reg ew_red_reg = 1'b1;
 
-  // rung 1 "intervals 1 to 6", traffic_lights.ladder:12
+  // rung 1 "intervals 1 to 6", traffic_lights.ladder:13
   wire t1_Q;
   wire [6:0] t1_ET_last;
   wire t2_Q;
@@ -240,31 +240,31 @@ module traffic_lights_test (
   );
   wire rung1_power = ~t6_Q & t1_Q;
 
-  // rung 2 "interval 1: north-south may go", traffic_lights.ladder:16
+  // rung 2 "interval 1: north-south may go", traffic_lights.ladder:17
   wire ns_green_next = ~rung1_power;
 
-  // rung 3 "interval 2", traffic_lights.ladder:18
+  // rung 3 "interval 2", traffic_lights.ladder:19
   wire ns_yellow_next = rung1_power & ~t2_Q;
 
-  // rung 4 "interval 3: north-south may turn", traffic_lights.ladder:20
+  // rung 4 "interval 3: north-south may turn", traffic_lights.ladder:21
   wire turn_green_next = t2_Q & ~t3_Q;
 
-  // rung 5 "interval 4", traffic_lights.ladder:22
+  // rung 5 "interval 4", traffic_lights.ladder:23
   wire turn_yellow_next = t3_Q & ~t4_Q;
 
-  // rung 6 "interval 5: east-west may go", traffic_lights.ladder:24
+  // rung 6 "interval 5: east-west may go", traffic_lights.ladder:25
   wire ew_green_next = t4_Q & ~t5_Q;
 
-  // rung 7 "interval 6", traffic_lights.ladder:26
+  // rung 7 "interval 6", traffic_lights.ladder:27
   wire ew_yellow_next = t5_Q & rung1_power;
 
-  // rung 8 "red whenever a lane has neither green nor yellow", traffic_lights.ladder:29
+  // rung 8 "red whenever a lane has neither green nor yellow", traffic_lights.ladder:30
   wire ns_red_next = rung1_power & ~ns_yellow_next;
 
-  // rung 9, traffic_lights.ladder:31
+  // rung 9, traffic_lights.ladder:32
   wire turn_red_next = ~turn_green_next & ~turn_yellow_next;
 
-  // rung 10, traffic_lights.ladder:32
+  // rung 10, traffic_lights.ladder:33
   wire ew_red_next = ~ew_green_next & ~ew_yellow_next;
   wire [31:0] t1_ET_value = {25'b0, t1_ET_last};
 
@@ -616,9 +616,9 @@ module traffic_lights_tb;
     // all lanes are red before the first scan
     failed = 1'b0;
     reset;
-    #1 if (!failed && &expect_0 !== 1'b1) begin // traffic_lights.ladder:35
+    #1 if (!failed && &expect_0 !== 1'b1) begin // traffic_lights.ladder:36
       failed = 1'b1;
-      $display("# failed expectation 0 conducts %b ns_red=%b turn_red=%b ew_red=%b at %0s", expect_0, ns_red, turn_red, ew_red, "traffic_lights.ladder:35");
+      $display("# failed expectation 0 conducts %b ns_red=%b turn_red=%b ew_red=%b at %0s", expect_0, ns_red, turn_red, ew_red, "traffic_lights.ladder:36");
     end
     if (failed) begin
       failures = failures + 1;
@@ -630,64 +630,64 @@ module traffic_lights_tb;
     reset;
     scan(1, 1'b0);
     repeat (3) begin
-      #1 if (!failed && &expect_1 !== 1'b1) begin // traffic_lights.ladder:40
+      #1 if (!failed && &expect_1 !== 1'b1) begin // traffic_lights.ladder:41
         failed = 1'b1;
-        $display("# failed expectation 1 conducts %b ns_green=%b turn_red=%b ew_red=%b at %0s", expect_1, ns_green, turn_red, ew_red, "traffic_lights.ladder:40");
+        $display("# failed expectation 1 conducts %b ns_green=%b turn_red=%b ew_red=%b at %0s", expect_1, ns_green, turn_red, ew_red, "traffic_lights.ladder:41");
       end
       scan(119, 1'b1);
-      #1 if (!failed && &expect_2 !== 1'b1) begin // traffic_lights.ladder:42
+      #1 if (!failed && &expect_2 !== 1'b1) begin // traffic_lights.ladder:43
         failed = 1'b1;
-        $display("# failed expectation 2 conducts %b ns_green=%b turn_red=%b ew_red=%b at %0s", expect_2, ns_green, turn_red, ew_red, "traffic_lights.ladder:42");
+        $display("# failed expectation 2 conducts %b ns_green=%b turn_red=%b ew_red=%b at %0s", expect_2, ns_green, turn_red, ew_red, "traffic_lights.ladder:43");
       end
       scan(1, 1'b1);
-      #1 if (!failed && &expect_3 !== 1'b1) begin // traffic_lights.ladder:44
+      #1 if (!failed && &expect_3 !== 1'b1) begin // traffic_lights.ladder:45
         failed = 1'b1;
-        $display("# failed expectation 3 conducts %b ns_yellow=%b turn_red=%b ew_red=%b at %0s", expect_3, ns_yellow, turn_red, ew_red, "traffic_lights.ladder:44");
+        $display("# failed expectation 3 conducts %b ns_yellow=%b turn_red=%b ew_red=%b at %0s", expect_3, ns_yellow, turn_red, ew_red, "traffic_lights.ladder:45");
       end
       scan(29, 1'b1);
-      #1 if (!failed && &expect_4 !== 1'b1) begin // traffic_lights.ladder:46
+      #1 if (!failed && &expect_4 !== 1'b1) begin // traffic_lights.ladder:47
         failed = 1'b1;
-        $display("# failed expectation 4 conducts %b ns_yellow=%b turn_red=%b ew_red=%b at %0s", expect_4, ns_yellow, turn_red, ew_red, "traffic_lights.ladder:46");
+        $display("# failed expectation 4 conducts %b ns_yellow=%b turn_red=%b ew_red=%b at %0s", expect_4, ns_yellow, turn_red, ew_red, "traffic_lights.ladder:47");
       end
       scan(1, 1'b1);
-      #1 if (!failed && &expect_5 !== 1'b1) begin // traffic_lights.ladder:48
+      #1 if (!failed && &expect_5 !== 1'b1) begin // traffic_lights.ladder:49
         failed = 1'b1;
-        $display("# failed expectation 5 conducts %b ns_red=%b turn_green=%b ew_red=%b at %0s", expect_5, ns_red, turn_green, ew_red, "traffic_lights.ladder:48");
+        $display("# failed expectation 5 conducts %b ns_red=%b turn_green=%b ew_red=%b at %0s", expect_5, ns_red, turn_green, ew_red, "traffic_lights.ladder:49");
       end
       scan(59, 1'b1);
-      #1 if (!failed && &expect_6 !== 1'b1) begin // traffic_lights.ladder:50
+      #1 if (!failed && &expect_6 !== 1'b1) begin // traffic_lights.ladder:51
         failed = 1'b1;
-        $display("# failed expectation 6 conducts %b ns_red=%b turn_green=%b ew_red=%b at %0s", expect_6, ns_red, turn_green, ew_red, "traffic_lights.ladder:50");
+        $display("# failed expectation 6 conducts %b ns_red=%b turn_green=%b ew_red=%b at %0s", expect_6, ns_red, turn_green, ew_red, "traffic_lights.ladder:51");
       end
       scan(1, 1'b1);
-      #1 if (!failed && &expect_7 !== 1'b1) begin // traffic_lights.ladder:52
+      #1 if (!failed && &expect_7 !== 1'b1) begin // traffic_lights.ladder:53
         failed = 1'b1;
-        $display("# failed expectation 7 conducts %b ns_red=%b turn_yellow=%b ew_red=%b at %0s", expect_7, ns_red, turn_yellow, ew_red, "traffic_lights.ladder:52");
+        $display("# failed expectation 7 conducts %b ns_red=%b turn_yellow=%b ew_red=%b at %0s", expect_7, ns_red, turn_yellow, ew_red, "traffic_lights.ladder:53");
       end
       scan(29, 1'b1);
-      #1 if (!failed && &expect_8 !== 1'b1) begin // traffic_lights.ladder:54
+      #1 if (!failed && &expect_8 !== 1'b1) begin // traffic_lights.ladder:55
         failed = 1'b1;
-        $display("# failed expectation 8 conducts %b ns_red=%b turn_yellow=%b ew_red=%b at %0s", expect_8, ns_red, turn_yellow, ew_red, "traffic_lights.ladder:54");
+        $display("# failed expectation 8 conducts %b ns_red=%b turn_yellow=%b ew_red=%b at %0s", expect_8, ns_red, turn_yellow, ew_red, "traffic_lights.ladder:55");
       end
       scan(1, 1'b1);
-      #1 if (!failed && &expect_9 !== 1'b1) begin // traffic_lights.ladder:56
+      #1 if (!failed && &expect_9 !== 1'b1) begin // traffic_lights.ladder:57
         failed = 1'b1;
-        $display("# failed expectation 9 conducts %b ns_red=%b turn_red=%b ew_green=%b at %0s", expect_9, ns_red, turn_red, ew_green, "traffic_lights.ladder:56");
+        $display("# failed expectation 9 conducts %b ns_red=%b turn_red=%b ew_green=%b at %0s", expect_9, ns_red, turn_red, ew_green, "traffic_lights.ladder:57");
       end
       scan(99, 1'b1);
-      #1 if (!failed && &expect_10 !== 1'b1) begin // traffic_lights.ladder:58
+      #1 if (!failed && &expect_10 !== 1'b1) begin // traffic_lights.ladder:59
         failed = 1'b1;
-        $display("# failed expectation 10 conducts %b ns_red=%b turn_red=%b ew_green=%b at %0s", expect_10, ns_red, turn_red, ew_green, "traffic_lights.ladder:58");
+        $display("# failed expectation 10 conducts %b ns_red=%b turn_red=%b ew_green=%b at %0s", expect_10, ns_red, turn_red, ew_green, "traffic_lights.ladder:59");
       end
       scan(1, 1'b1);
-      #1 if (!failed && &expect_11 !== 1'b1) begin // traffic_lights.ladder:60
+      #1 if (!failed && &expect_11 !== 1'b1) begin // traffic_lights.ladder:61
         failed = 1'b1;
-        $display("# failed expectation 11 conducts %b ns_red=%b turn_red=%b ew_yellow=%b at %0s", expect_11, ns_red, turn_red, ew_yellow, "traffic_lights.ladder:60");
+        $display("# failed expectation 11 conducts %b ns_red=%b turn_red=%b ew_yellow=%b at %0s", expect_11, ns_red, turn_red, ew_yellow, "traffic_lights.ladder:61");
       end
       scan(29, 1'b1);
-      #1 if (!failed && &expect_12 !== 1'b1) begin // traffic_lights.ladder:62
+      #1 if (!failed && &expect_12 !== 1'b1) begin // traffic_lights.ladder:63
         failed = 1'b1;
-        $display("# failed expectation 12 conducts %b ns_red=%b turn_red=%b ew_yellow=%b at %0s", expect_12, ns_red, turn_red, ew_yellow, "traffic_lights.ladder:62");
+        $display("# failed expectation 12 conducts %b ns_red=%b turn_red=%b ew_yellow=%b at %0s", expect_12, ns_red, turn_red, ew_yellow, "traffic_lights.ladder:63");
       end
       scan(1, 1'b1);
     end
@@ -701,21 +701,21 @@ module traffic_lights_tb;
     reset;
     scan(1, 1'b0);
     repeat (400) begin
-      #1 if (!failed && &expect_13 !== 1'b1) begin // traffic_lights.ladder:69
+      #1 if (!failed && &expect_13 !== 1'b1) begin // traffic_lights.ladder:70
         failed = 1'b1;
-        $display("# failed expectation 13 conducts %b ns_red=%b turn_red=%b ew_red=%b at %0s", expect_13, ns_red, turn_red, ew_red, "traffic_lights.ladder:69");
+        $display("# failed expectation 13 conducts %b ns_red=%b turn_red=%b ew_red=%b at %0s", expect_13, ns_red, turn_red, ew_red, "traffic_lights.ladder:70");
       end
-      #1 if (!failed && &expect_14 !== 1'b1) begin // traffic_lights.ladder:70
+      #1 if (!failed && &expect_14 !== 1'b1) begin // traffic_lights.ladder:71
         failed = 1'b1;
-        $display("# failed expectation 14 conducts %b ns_green=%b ns_yellow=%b ns_red=%b at %0s", expect_14, ns_green, ns_yellow, ns_red, "traffic_lights.ladder:70");
+        $display("# failed expectation 14 conducts %b ns_green=%b ns_yellow=%b ns_red=%b at %0s", expect_14, ns_green, ns_yellow, ns_red, "traffic_lights.ladder:71");
       end
-      #1 if (!failed && &expect_15 !== 1'b1) begin // traffic_lights.ladder:75
+      #1 if (!failed && &expect_15 !== 1'b1) begin // traffic_lights.ladder:76
         failed = 1'b1;
-        $display("# failed expectation 15 conducts %b turn_green=%b turn_yellow=%b turn_red=%b at %0s", expect_15, turn_green, turn_yellow, turn_red, "traffic_lights.ladder:75");
+        $display("# failed expectation 15 conducts %b turn_green=%b turn_yellow=%b turn_red=%b at %0s", expect_15, turn_green, turn_yellow, turn_red, "traffic_lights.ladder:76");
       end
-      #1 if (!failed && &expect_16 !== 1'b1) begin // traffic_lights.ladder:80
+      #1 if (!failed && &expect_16 !== 1'b1) begin // traffic_lights.ladder:81
         failed = 1'b1;
-        $display("# failed expectation 16 conducts %b ew_green=%b ew_yellow=%b ew_red=%b at %0s", expect_16, ew_green, ew_yellow, ew_red, "traffic_lights.ladder:80");
+        $display("# failed expectation 16 conducts %b ew_green=%b ew_yellow=%b ew_red=%b at %0s", expect_16, ew_green, ew_yellow, ew_red, "traffic_lights.ladder:81");
       end
       scan(1, 1'b1);
     end
@@ -729,15 +729,15 @@ module traffic_lights_tb;
     reset;
     scan(1, 1'b0);
     repeat (5) begin
-      #1 if (!failed && &expect_17 !== 1'b1) begin // traffic_lights.ladder:91
+      #1 if (!failed && &expect_17 !== 1'b1) begin // traffic_lights.ladder:92
         failed = 1'b1;
-        $display("# failed expectation 17 conducts %b ns_green=%b t1_ET=%b at %0s", expect_17, ns_green, t1_ET, "traffic_lights.ladder:91");
+        $display("# failed expectation 17 conducts %b ns_green=%b t1_ET=%b at %0s", expect_17, ns_green, t1_ET, "traffic_lights.ladder:92");
       end
       scan(370, 1'b1);
     end
-    #1 if (!failed && &expect_18 !== 1'b1) begin // traffic_lights.ladder:94
+    #1 if (!failed && &expect_18 !== 1'b1) begin // traffic_lights.ladder:95
       failed = 1'b1;
-      $display("# failed expectation 18 conducts %b ns_green=%b at %0s", expect_18, ns_green, "traffic_lights.ladder:94");
+      $display("# failed expectation 18 conducts %b ns_green=%b at %0s", expect_18, ns_green, "traffic_lights.ladder:95");
     end
     if (failed) begin
       failures = failures + 1;

@@ -284,7 +284,7 @@ architecture rtl of traffic_lights_test is
   signal t1_ET_value : unsigned(31 downto 0);
 begin
 
-  -- rung 1 "intervals 1 to 6", traffic_lights.ladder:12
+  -- rung 1 "intervals 1 to 6", traffic_lights.ladder:13
   t2: entity work.traffic_lights_test_TON_PT30
     port map (
       clk => clk,
@@ -336,31 +336,31 @@ begin
     );
   rung1_power <= not t6_Q and t1_Q;
 
-  -- rung 2 "interval 1: north-south may go", traffic_lights.ladder:16
+  -- rung 2 "interval 1: north-south may go", traffic_lights.ladder:17
   ns_green_next <= not rung1_power;
 
-  -- rung 3 "interval 2", traffic_lights.ladder:18
+  -- rung 3 "interval 2", traffic_lights.ladder:19
   ns_yellow_next <= rung1_power and not t2_Q;
 
-  -- rung 4 "interval 3: north-south may turn", traffic_lights.ladder:20
+  -- rung 4 "interval 3: north-south may turn", traffic_lights.ladder:21
   turn_green_next <= t2_Q and not t3_Q;
 
-  -- rung 5 "interval 4", traffic_lights.ladder:22
+  -- rung 5 "interval 4", traffic_lights.ladder:23
   turn_yellow_next <= t3_Q and not t4_Q;
 
-  -- rung 6 "interval 5: east-west may go", traffic_lights.ladder:24
+  -- rung 6 "interval 5: east-west may go", traffic_lights.ladder:25
   ew_green_next <= t4_Q and not t5_Q;
 
-  -- rung 7 "interval 6", traffic_lights.ladder:26
+  -- rung 7 "interval 6", traffic_lights.ladder:27
   ew_yellow_next <= t5_Q and rung1_power;
 
-  -- rung 8 "red whenever a lane has neither green nor yellow", traffic_lights.ladder:29
+  -- rung 8 "red whenever a lane has neither green nor yellow", traffic_lights.ladder:30
   ns_red_next <= rung1_power and not ns_yellow_next;
 
-  -- rung 9, traffic_lights.ladder:31
+  -- rung 9, traffic_lights.ladder:32
   turn_red_next <= not turn_green_next and not turn_yellow_next;
 
-  -- rung 10, traffic_lights.ladder:32
+  -- rung 10, traffic_lights.ladder:33
   ew_red_next <= not ew_green_next and not ew_yellow_next;
   t1_ET_value <= resize(t1_ET_last, 32);
 
@@ -729,7 +729,7 @@ begin
     -- all lanes are red before the first scan
     failed := false;
     reset;
-    wait for 1 ns; -- traffic_lights.ladder:35
+    wait for 1 ns; -- traffic_lights.ladder:36
     if not failed and (expect_0_0 and expect_0_1 and expect_0_2) /= '1' then
       failed := true;
       print("# failed expectation 0 conducts " & image(expect_0_0) & image(expect_0_1) & image(expect_0_2)
@@ -749,7 +749,7 @@ begin
     reset;
     scan(1, '0');
     for round in 1 to 3 loop
-      wait for 1 ns; -- traffic_lights.ladder:40
+      wait for 1 ns; -- traffic_lights.ladder:41
       if not failed and (expect_1_0 and expect_1_1 and expect_1_2) /= '1' then
         failed := true;
         print("# failed expectation 1 conducts " & image(expect_1_0) & image(expect_1_1) & image(expect_1_2)
@@ -758,7 +758,7 @@ begin
             & " ew_red=" & image(ew_red));
       end if;
       scan(119, '1');
-      wait for 1 ns; -- traffic_lights.ladder:42
+      wait for 1 ns; -- traffic_lights.ladder:43
       if not failed and (expect_2_0 and expect_2_1 and expect_2_2) /= '1' then
         failed := true;
         print("# failed expectation 2 conducts " & image(expect_2_0) & image(expect_2_1) & image(expect_2_2)
@@ -767,7 +767,7 @@ begin
             & " ew_red=" & image(ew_red));
       end if;
       scan(1, '1');
-      wait for 1 ns; -- traffic_lights.ladder:44
+      wait for 1 ns; -- traffic_lights.ladder:45
       if not failed and (expect_3_0 and expect_3_1 and expect_3_2) /= '1' then
         failed := true;
         print("# failed expectation 3 conducts " & image(expect_3_0) & image(expect_3_1) & image(expect_3_2)
@@ -776,7 +776,7 @@ begin
             & " ew_red=" & image(ew_red));
       end if;
       scan(29, '1');
-      wait for 1 ns; -- traffic_lights.ladder:46
+      wait for 1 ns; -- traffic_lights.ladder:47
       if not failed and (expect_4_0 and expect_4_1 and expect_4_2) /= '1' then
         failed := true;
         print("# failed expectation 4 conducts " & image(expect_4_0) & image(expect_4_1) & image(expect_4_2)
@@ -785,7 +785,7 @@ begin
             & " ew_red=" & image(ew_red));
       end if;
       scan(1, '1');
-      wait for 1 ns; -- traffic_lights.ladder:48
+      wait for 1 ns; -- traffic_lights.ladder:49
       if not failed and (expect_5_0 and expect_5_1 and expect_5_2) /= '1' then
         failed := true;
         print("# failed expectation 5 conducts " & image(expect_5_0) & image(expect_5_1) & image(expect_5_2)
@@ -794,7 +794,7 @@ begin
             & " ew_red=" & image(ew_red));
       end if;
       scan(59, '1');
-      wait for 1 ns; -- traffic_lights.ladder:50
+      wait for 1 ns; -- traffic_lights.ladder:51
       if not failed and (expect_6_0 and expect_6_1 and expect_6_2) /= '1' then
         failed := true;
         print("# failed expectation 6 conducts " & image(expect_6_0) & image(expect_6_1) & image(expect_6_2)
@@ -803,7 +803,7 @@ begin
             & " ew_red=" & image(ew_red));
       end if;
       scan(1, '1');
-      wait for 1 ns; -- traffic_lights.ladder:52
+      wait for 1 ns; -- traffic_lights.ladder:53
       if not failed and (expect_7_0 and expect_7_1 and expect_7_2) /= '1' then
         failed := true;
         print("# failed expectation 7 conducts " & image(expect_7_0) & image(expect_7_1) & image(expect_7_2)
@@ -812,7 +812,7 @@ begin
             & " ew_red=" & image(ew_red));
       end if;
       scan(29, '1');
-      wait for 1 ns; -- traffic_lights.ladder:54
+      wait for 1 ns; -- traffic_lights.ladder:55
       if not failed and (expect_8_0 and expect_8_1 and expect_8_2) /= '1' then
         failed := true;
         print("# failed expectation 8 conducts " & image(expect_8_0) & image(expect_8_1) & image(expect_8_2)
@@ -821,7 +821,7 @@ begin
             & " ew_red=" & image(ew_red));
       end if;
       scan(1, '1');
-      wait for 1 ns; -- traffic_lights.ladder:56
+      wait for 1 ns; -- traffic_lights.ladder:57
       if not failed and (expect_9_0 and expect_9_1 and expect_9_2) /= '1' then
         failed := true;
         print("# failed expectation 9 conducts " & image(expect_9_0) & image(expect_9_1) & image(expect_9_2)
@@ -830,7 +830,7 @@ begin
             & " ew_green=" & image(ew_green));
       end if;
       scan(99, '1');
-      wait for 1 ns; -- traffic_lights.ladder:58
+      wait for 1 ns; -- traffic_lights.ladder:59
       if not failed and (expect_10_0 and expect_10_1 and expect_10_2) /= '1' then
         failed := true;
         print("# failed expectation 10 conducts " & image(expect_10_0) & image(expect_10_1) & image(expect_10_2)
@@ -839,7 +839,7 @@ begin
             & " ew_green=" & image(ew_green));
       end if;
       scan(1, '1');
-      wait for 1 ns; -- traffic_lights.ladder:60
+      wait for 1 ns; -- traffic_lights.ladder:61
       if not failed and (expect_11_0 and expect_11_1 and expect_11_2) /= '1' then
         failed := true;
         print("# failed expectation 11 conducts " & image(expect_11_0) & image(expect_11_1) & image(expect_11_2)
@@ -848,7 +848,7 @@ begin
             & " ew_yellow=" & image(ew_yellow));
       end if;
       scan(29, '1');
-      wait for 1 ns; -- traffic_lights.ladder:62
+      wait for 1 ns; -- traffic_lights.ladder:63
       if not failed and (expect_12_0 and expect_12_1 and expect_12_2) /= '1' then
         failed := true;
         print("# failed expectation 12 conducts " & image(expect_12_0) & image(expect_12_1) & image(expect_12_2)
@@ -870,7 +870,7 @@ begin
     reset;
     scan(1, '0');
     for round in 1 to 400 loop
-      wait for 1 ns; -- traffic_lights.ladder:69
+      wait for 1 ns; -- traffic_lights.ladder:70
       if not failed and (expect_13_0) /= '1' then
         failed := true;
         print("# failed expectation 13 conducts " & image(expect_13_0)
@@ -878,7 +878,7 @@ begin
             & " turn_red=" & image(turn_red)
             & " ew_red=" & image(ew_red));
       end if;
-      wait for 1 ns; -- traffic_lights.ladder:70
+      wait for 1 ns; -- traffic_lights.ladder:71
       if not failed and (expect_14_0) /= '1' then
         failed := true;
         print("# failed expectation 14 conducts " & image(expect_14_0)
@@ -886,7 +886,7 @@ begin
             & " ns_yellow=" & image(ns_yellow)
             & " ns_red=" & image(ns_red));
       end if;
-      wait for 1 ns; -- traffic_lights.ladder:75
+      wait for 1 ns; -- traffic_lights.ladder:76
       if not failed and (expect_15_0) /= '1' then
         failed := true;
         print("# failed expectation 15 conducts " & image(expect_15_0)
@@ -894,7 +894,7 @@ begin
             & " turn_yellow=" & image(turn_yellow)
             & " turn_red=" & image(turn_red));
       end if;
-      wait for 1 ns; -- traffic_lights.ladder:80
+      wait for 1 ns; -- traffic_lights.ladder:81
       if not failed and (expect_16_0) /= '1' then
         failed := true;
         print("# failed expectation 16 conducts " & image(expect_16_0)
@@ -916,7 +916,7 @@ begin
     reset;
     scan(1, '0');
     for round in 1 to 5 loop
-      wait for 1 ns; -- traffic_lights.ladder:91
+      wait for 1 ns; -- traffic_lights.ladder:92
       if not failed and (expect_17_0 and expect_17_1) /= '1' then
         failed := true;
         print("# failed expectation 17 conducts " & image(expect_17_0) & image(expect_17_1)
@@ -925,7 +925,7 @@ begin
       end if;
       scan(370, '1');
     end loop;
-    wait for 1 ns; -- traffic_lights.ladder:94
+    wait for 1 ns; -- traffic_lights.ladder:95
     if not failed and (expect_18_0) /= '1' then
       failed := true;
       print("# failed expectation 18 conducts " & image(expect_18_0)

@@ -13,7 +13,7 @@ use super::tree::{Contact, Tree};
 use super::usage;
 use super::word::{Address, CODE_WORDS, Operation, Prefix, Word};
 use crate::diagnostic::{Diagnostic, code};
-use crate::model::{CoilAction, Edge, Element, InstanceId, Program, Role, VariableId};
+use crate::model::{CoilAction, Edge, Element, InstanceId, Place, Program, Role, VariableId};
 use crate::source::Span;
 use crate::types::Type;
 
@@ -295,9 +295,15 @@ impl Compiler<'_> {
                     self.inverted(&tree).map(Power::Drawn)
                 }
             },
-            Element::Coil { target, action, .. } => self.coil(*target, *action, power),
+            Element::Coil { target, action, span } => {
+                let target = self.whole(target, *span)?;
+                self.coil(target, *action, power)
+            }
             Element::ResetInstance(instance) => self.reset_instance(*instance, power),
-            Element::Assign { target, value, span } => self.assign(*target, value, *span, power),
+            Element::Assign { target, value, span } => {
+                let target = self.whole(target, *span)?;
+                self.assign(target, value, *span, power)
+            }
             Element::Call(call) => self.call(call, power),
             Element::Constant(_)
             | Element::Contact { .. }
@@ -311,13 +317,15 @@ impl Compiler<'_> {
     pub(super) fn contacts(&mut self, element: &Element) -> Done<Tree> {
         match element {
             Element::Constant(value) => Ok(Tree::constant(*value)),
-            Element::Contact { variable, negated, span } => {
-                let address = self.readable(*variable, *span)?;
+            Element::Contact { place, negated, span } => {
+                let variable = self.whole(place, *span)?;
+                let address = self.readable(variable, *span)?;
                 Ok(Tree::Contact(Contact { address, negated: *negated }))
             }
-            Element::Edge { variable, edge, memory } => {
+            Element::Edge { place, edge, memory } => {
                 let span = self.program.variables[*memory].span;
-                let address = self.readable(*variable, span)?;
+                let variable = self.whole(place, span)?;
+                let address = self.readable(variable, span)?;
                 let coil = self.flag()?;
                 self.change(Contact { address, negated: false }, *edge, *memory, coil)?;
                 Ok(Tree::on(coil))
@@ -341,6 +349,14 @@ impl Compiler<'_> {
             parts.push(self.contacts(element)?);
         }
         Ok(Tree::series(parts))
+    }
+
+    /// A place that is a whole variable, and always the same one.
+    pub(super) fn whole(&mut self, place: &Place, span: Span) -> Done<VariableId> {
+        place.as_variable().ok_or_else(|| {
+            let label = format!("`{}` has no address of its own", place.name(self.program));
+            self.cannot(span, "bits of words and elements chosen while it runs", label)
+        })
     }
 
     /// The address of a bit that a contact looks at.
@@ -413,7 +429,7 @@ impl Compiler<'_> {
         };
         match element {
             Element::Coil { target, .. } | Element::Assign { target, .. } => {
-                written.extend(self.address(*target));
+                written.extend(target.as_variable().and_then(|target| self.address(target)));
             }
             Element::ResetInstance(instance) => written.extend(members(*instance)),
             Element::Call(call) => written.extend(members(call.instance)),

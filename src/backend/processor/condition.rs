@@ -12,7 +12,13 @@ impl Compiler<'_> {
     pub(super) fn condition(&mut self, expr: &Expr, span: Span) -> Done<Tree> {
         match &expr.kind {
             ExprKind::Constant(value) => Ok(Tree::constant(*value != 0)),
-            ExprKind::Read(variable) => Ok(Tree::on(self.readable(*variable, span)?)),
+            ExprKind::Read(place) => {
+                let variable = self.whole(place, span)?;
+                Ok(Tree::on(self.readable(variable, span)?))
+            }
+            ExprKind::Convert(_) | ExprKind::Call(..) => {
+                Err(self.cannot(span, "functions and conversions", "an expression with one"))
+            }
             ExprKind::Not(operand) => {
                 let tree = self.condition(operand, span)?;
                 Ok(tree.inverted().expect("an expression has no bridges"))
@@ -23,7 +29,11 @@ impl Compiler<'_> {
                     BinaryOp::And => Ok(Tree::series([a, b])),
                     BinaryOp::Or => Ok(Tree::parallel([a, b])),
                     BinaryOp::Xor => self.differ(a, b),
-                    BinaryOp::Add | BinaryOp::Subtract => unreachable!("a BOOL has no sum"),
+                    BinaryOp::Add
+                    | BinaryOp::Subtract
+                    | BinaryOp::Multiply
+                    | BinaryOp::Divide
+                    | BinaryOp::Modulo => unreachable!("a BOOL is no number"),
                 }
             }
             ExprKind::Compare(_, a, _) if a.ty != Type::Bool => {

@@ -36,10 +36,13 @@ pub fn narrow(circuit: &Circuit) -> Option<Circuit> {
             | Op::Mux { .. }
             | Op::Add(..)
             | Op::Sub(..)
+            | Op::Mul(..)
                 if fit.width < cell.width =>
             {
                 computed(rebuild, cell, fit)
             }
+            Op::Div(a, b) => divided(rebuild, &ranges, [a, b], cell, Circuit::div),
+            Op::Rem(a, b) => divided(rebuild, &ranges, [a, b], cell, Circuit::rem),
             Op::Input(_)
             | Op::Port(..)
             | Op::Const(_)
@@ -50,8 +53,10 @@ pub fn narrow(circuit: &Circuit) -> Option<Circuit> {
             | Op::Mux { .. }
             | Op::Add(..)
             | Op::Sub(..)
+            | Op::Mul(..)
             | Op::Extend { .. }
-            | Op::Slice { .. } => rebuild.copy(cell),
+            | Op::Slice { .. }
+            | Op::Concat(_) => rebuild.copy(cell),
         }
     });
     Some(narrowed)
@@ -119,16 +124,37 @@ fn computed(rebuild: &mut Rebuild<'_>, cell: Cell, fit: Fit) -> Net {
             let (a, b) = (cut(rebuild, a), cut(rebuild, b));
             rebuild.to.sub(a, b)
         }
+        Op::Mul(a, b) => {
+            let (a, b) = (cut(rebuild, a), cut(rebuild, b));
+            rebuild.to.mul(a, b)
+        }
         Op::Input(_)
         | Op::Register(_)
         | Op::Port(..)
         | Op::Const(_)
+        | Op::Div(..)
+        | Op::Rem(..)
         | Op::Eq(..)
         | Op::Less { .. }
         | Op::Extend { .. }
-        | Op::Slice { .. } => return rebuild.copy(cell),
+        | Op::Slice { .. }
+        | Op::Concat(_) => return rebuild.copy(cell),
     };
     rebuild.to.resize(narrow, cell.width, fit.signed)
+}
+
+/// A quotient or what is left needs as many bits as the larger of both operands can have.
+fn divided(
+    rebuild: &mut Rebuild<'_>,
+    ranges: &Ranges,
+    nets: [Net; 2],
+    cell: Cell,
+    by: fn(&mut Circuit, Net, Net) -> Net,
+) -> Net {
+    let widths = nets.map(|net| ranges.interval(rebuild.from, net).unsigned_width());
+    let [a, b] = operands(rebuild, nets, widths[0].max(widths[1]));
+    let narrow = by(&mut rebuild.to, a, b);
+    rebuild.to.resize(narrow, cell.width, false)
 }
 
 /// Both words cut to the bits that tell them apart.

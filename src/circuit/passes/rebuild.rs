@@ -56,10 +56,14 @@ impl<'c> Rebuild<'c> {
             | Op::Mux { .. }
             | Op::Add(..)
             | Op::Sub(..)
+            | Op::Mul(..)
+            | Op::Div(..)
+            | Op::Rem(..)
             | Op::Eq(..)
             | Op::Less { .. }
             | Op::Extend { .. }
-            | Op::Slice { .. } => {
+            | Op::Slice { .. }
+            | Op::Concat(_) => {
                 let Rebuild { from, to, nets, .. } = self;
                 copy_cell(to, from, cell, |net| nets[index(net)])
             }

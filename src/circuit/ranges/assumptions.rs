@@ -77,8 +77,12 @@ impl<'a> Assumptions<'a> {
             | Op::Mux { .. }
             | Op::Add(..)
             | Op::Sub(..)
+            | Op::Mul(..)
+            | Op::Div(..)
+            | Op::Rem(..)
             | Op::Extend { .. }
-            | Op::Slice { .. } => true,
+            | Op::Slice { .. }
+            | Op::Concat(_) => true,
         }
     }
 
@@ -249,6 +253,19 @@ impl<'a> Assumptions<'a> {
             }
             Op::Extend { from, signed } => self.interval(from).extend(width, signed),
             Op::Slice { from, low } => self.interval(from).slice(low, width),
+            Op::Mul(a, b) => self.interval(a).mul(self.interval(b)),
+            Op::Div(a, b) => self.interval(a).div(self.interval(b)),
+            Op::Rem(a, b) => self.interval(a).rem(self.interval(b)),
+            Op::Concat(list) => {
+                let (mut lowest, mut highest) = (0, 0);
+                for &operand in self.circuit.list(list) {
+                    let (low, high) = self.interval(operand).unsigned();
+                    let part = self.circuit.width(operand);
+                    lowest = lowest << part | i128::from(low);
+                    highest = highest << part | i128::from(high);
+                }
+                Interval::new(lowest, highest, width)
+            }
         })
     }
 

@@ -115,6 +115,29 @@ impl Interval {
         Interval::new(self.low - other.high, self.high - other.low, self.width)
     }
 
+    /// The products of a word of `self` and one of `other`.
+    pub fn mul(self, other: Interval) -> Interval {
+        let ((low, high), (least, most)) = (self.unsigned(), other.unsigned());
+        match high.checked_mul(most) {
+            // The low ends are smaller still.
+            Some(largest) => Interval::new((low * least).into(), largest.into(), self.width),
+            None => Interval::full(self.width),
+        }
+    }
+
+    /// The quotients of a word of `self` by one of `other`, both unsigned; 0 for a quotient by 0.
+    pub fn div(self, other: Interval) -> Interval {
+        let ((low, high), (least, most)) = (self.unsigned(), other.unsigned());
+        let smallest = if least == 0 { 0 } else { low / most };
+        Interval::new(smallest.into(), (high / least.max(1)).into(), self.width)
+    }
+
+    /// What those divisions leave; 0 for one by 0.
+    pub fn rem(self, other: Interval) -> Interval {
+        let largest = self.unsigned().1.min(other.unsigned().1.saturating_sub(1));
+        Interval::new(0, largest.into(), self.width)
+    }
+
     /// Every bit inverted.
     pub fn not(self) -> Interval {
         Interval::new(-1 - self.high, -1 - self.low, self.width)

@@ -93,8 +93,12 @@ impl<'c> Analysis<'c> {
                 | Op::Mux { .. }
                 | Op::Add(..)
                 | Op::Sub(..)
+                | Op::Mul(..)
+                | Op::Div(..)
+                | Op::Rem(..)
                 | Op::Extend { .. }
-                | Op::Slice { .. } => {
+                | Op::Slice { .. }
+                | Op::Concat(_) => {
                     if cell.width > 1 {
                         cells.push(net);
                     }
