@@ -151,10 +151,10 @@ module parts_average (
   reg [5:0] known_60 = 6'd0;
   reg [15:0] average_60_reg = 16'd0;
 
-  // rung 1 "parts of the minute that runs", parts_average.ladder:21
+  // rung 1 "parts of the minute that runs", parts_average.ladder:22
   wire [14:0] count_CV;
 
-  // rung 2 "a minute is over", parts_average.ladder:24
+  // rung 2 "a minute is over", parts_average.ladder:25
   wire minute_Q;
   parts_average_CTU_PV0 count (
     .clk(clk),
@@ -172,16 +172,16 @@ module parts_average (
   );
   wire [15:0] last_minute_next = minute_Q ? {1'b0, count_CV} : last_minute_reg;
 
-  // rung 3 "the oldest minute leaves its sum, the last one comes in", parts_average.ladder:27
+  // rung 3 "the oldest minute leaves its sum, the last one comes in", parts_average.ladder:28
   wire [6:0] rung3_difference = {1'b0, newest} - 7'd10;
   wire [15:0] tenth_rung3 = minute_Q ? {{9{rung3_difference[6]}}, rung3_difference} : tenth;
 
-  // rung 4, parts_average.ladder:29
+  // rung 4, parts_average.ladder:30
   wire rung4_less = $signed(tenth_rung3) < 16'sd0;
   wire [15:0] rung4_sum = tenth_rung3 + 16'd60;
   wire [15:0] tenth_next = rung4_less ? rung4_sum : tenth_rung3;
 
-  // rung 5, parts_average.ladder:30
+  // rung 5, parts_average.ladder:31
   wire [15:0] rung5_choice = tenth_next[0] ? minutes_1 : minutes_0;
   wire [15:0] rung5_choice_2 = tenth_next[0] ? minutes_3 : minutes_2;
   wire [15:0] rung5_choice_3 = tenth_next[0] ? minutes_5 : minutes_4;
@@ -247,7 +247,7 @@ module parts_average (
   wire [15:0] rung5_sum = rung5_difference + last_minute_next;
   wire [15:0] sum_10_next = minute_Q ? rung5_sum : sum_10;
 
-  // rung 6, parts_average.ladder:31
+  // rung 6, parts_average.ladder:32
   wire [15:0] rung6_choice = newest[0] ? minutes_1 : minutes_0;
   wire [15:0] rung6_choice_2 = newest[0] ? minutes_3 : minutes_2;
   wire [15:0] rung6_choice_3 = newest[0] ? minutes_5 : minutes_4;
@@ -311,7 +311,7 @@ module parts_average (
   wire [15:0] rung6_sum = rung6_difference + last_minute_next;
   wire [15:0] sum_60_next = minute_Q ? rung6_sum : sum_60;
 
-  // rung 7 "it is kept for an hour", parts_average.ladder:33
+  // rung 7 "it is kept for an hour", parts_average.ladder:34
   wire rung7_equal = newest == 6'd0;
   wire [15:0] minutes_0_next = (minute_Q & rung7_equal) ? last_minute_next : minutes_0;
   wire rung7_equal_2 = newest == 6'd1;
@@ -435,10 +435,10 @@ module parts_average (
   wire [5:0] rung7_sum = newest + 6'd1;
   wire [5:0] newest_rung7 = minute_Q ? rung7_sum : newest;
 
-  // rung 8, parts_average.ladder:35
+  // rung 8, parts_average.ladder:36
   wire [5:0] newest_next = (minute_Q & rung7_equal_60) ? 6'd0 : newest_rung7;
 
-  // rung 9 "averages of the minutes that there are", parts_average.ladder:37
+  // rung 9 "averages of the minutes that there are", parts_average.ladder:39
   wire [3:0] rung9_sum = known_10 + 4'd1;
   wire rung9_equal = known_10 == 4'ha;
   wire [3:0] rung9_choice = rung9_equal ? 4'ha : rung9_sum;
@@ -448,7 +448,7 @@ module parts_average (
   wire [15:0] rung9_quotient = rung9_extended == 16'd0 ? 16'd0 : rung9_sum_2 / rung9_extended;
   wire [15:0] average_10_next = minute_Q ? rung9_quotient : average_10_reg;
 
-  // rung 10, parts_average.ladder:39
+  // rung 10, parts_average.ladder:42
   wire [5:0] rung10_sum = known_60 + 6'd1;
   wire rung10_equal = known_60 == 6'h3c;
   wire [5:0] rung10_choice = rung10_equal ? 6'h3c : rung10_sum;

@@ -458,9 +458,9 @@ architecture rtl of parts_average is
   signal average_60_next : unsigned(15 downto 0);
 begin
 
-  -- rung 1 "parts of the minute that runs", parts_average.ladder:21
+  -- rung 1 "parts of the minute that runs", parts_average.ladder:22
 
-  -- rung 2 "a minute is over", parts_average.ladder:24
+  -- rung 2 "a minute is over", parts_average.ladder:25
   count: entity work.parts_average_CTU_PV0
     port map (
       clk => clk,
@@ -479,16 +479,16 @@ begin
     );
   last_minute_next <= resize(count_CV, 16) when minute_Q = '1' else last_minute_reg;
 
-  -- rung 3 "the oldest minute leaves its sum, the last one comes in", parts_average.ladder:27
+  -- rung 3 "the oldest minute leaves its sum, the last one comes in", parts_average.ladder:28
   rung3_difference <= resize(newest, 7) - 10;
   tenth_rung3 <= unsigned(resize(signed(rung3_difference), 16)) when minute_Q = '1' else tenth;
 
-  -- rung 4, parts_average.ladder:29
+  -- rung 4, parts_average.ladder:30
   rung4_less <= '1' when signed(tenth_rung3) < 0 else '0';
   rung4_sum <= tenth_rung3 + 60;
   tenth_next <= rung4_sum when rung4_less = '1' else tenth_rung3;
 
-  -- rung 5, parts_average.ladder:30
+  -- rung 5, parts_average.ladder:31
   rung5_choice <= minutes_1 when tenth_next(0) = '1' else minutes_0;
   rung5_choice_2 <= minutes_3 when tenth_next(0) = '1' else minutes_2;
   rung5_choice_3 <= minutes_5 when tenth_next(0) = '1' else minutes_4;
@@ -554,7 +554,7 @@ begin
   rung5_sum <= rung5_difference + last_minute_next;
   sum_10_next <= rung5_sum when minute_Q = '1' else sum_10;
 
-  -- rung 6, parts_average.ladder:31
+  -- rung 6, parts_average.ladder:32
   rung6_choice <= minutes_1 when newest(0) = '1' else minutes_0;
   rung6_choice_2 <= minutes_3 when newest(0) = '1' else minutes_2;
   rung6_choice_3 <= minutes_5 when newest(0) = '1' else minutes_4;
@@ -618,7 +618,7 @@ begin
   rung6_sum <= rung6_difference + last_minute_next;
   sum_60_next <= rung6_sum when minute_Q = '1' else sum_60;
 
-  -- rung 7 "it is kept for an hour", parts_average.ladder:33
+  -- rung 7 "it is kept for an hour", parts_average.ladder:34
   rung7_equal <= '1' when newest = 0 else '0';
   minutes_0_next <= last_minute_next when (minute_Q and rung7_equal) = '1' else minutes_0;
   rung7_equal_2 <= '1' when newest = 1 else '0';
@@ -742,10 +742,10 @@ begin
   rung7_sum <= newest + 1;
   newest_rung7 <= rung7_sum when minute_Q = '1' else newest;
 
-  -- rung 8, parts_average.ladder:35
+  -- rung 8, parts_average.ladder:36
   newest_next <= to_unsigned(0, 6) when (minute_Q and rung7_equal_60) = '1' else newest_rung7;
 
-  -- rung 9 "averages of the minutes that there are", parts_average.ladder:37
+  -- rung 9 "averages of the minutes that there are", parts_average.ladder:39
   rung9_sum <= known_10 + 1;
   rung9_equal <= '1' when known_10 = 10 else '0';
   rung9_choice <= x"A" when rung9_equal = '1' else rung9_sum;
@@ -755,7 +755,7 @@ begin
   rung9_quotient <= to_unsigned(0, 16) when rung9_extended = 0 else rung9_sum_2 / rung9_extended;
   average_10_next <= rung9_quotient when minute_Q = '1' else average_10_reg;
 
-  -- rung 10, parts_average.ladder:39
+  -- rung 10, parts_average.ladder:42
   rung10_sum <= known_60 + 1;
   rung10_equal <= '1' when known_60 = 60 else '0';
   rung10_choice <= "111100" when rung10_equal = '1' else rung10_sum;
