@@ -111,6 +111,11 @@ impl<'a> Unit<'a> {
         })
     }
 
+    /// How a wrapper makes the tick, where the clock is no whole number of ticks.
+    pub fn inexact_tick(&self) -> Option<String> {
+        (self.board.prescaler().error_ppb != 0).then(|| self.board.tick_made())
+    }
+
     /// The files of these kinds, each once.
     pub fn emit(&self, kinds: &[Emit]) -> Vec<Artifact> {
         let asked = |(emit, _): &(Emit, Language)| kinds.contains(emit);

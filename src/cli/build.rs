@@ -149,6 +149,9 @@ fn compile(
     let unit = Unit::new(&program, &source, &backend_options)
         .with_context(|| path.display().to_string())?;
     let kinds: Vec<Emit> = options.emit.iter().map(|kind| kind.emit()).collect();
+    if let Some(made) = unit.inexact_tick().filter(|_| kinds.contains(&Emit::Wrapper)) {
+        report.remark(&format!("{}: the wrapper makes the tick {made}", path.display()));
+    }
     Ok(Some(unit.emit(&kinds)))
 }
 
