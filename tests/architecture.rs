@@ -41,6 +41,7 @@ const ROOMS: &[(&str, &[&str])] = &[
         "cli",
         &[
             "source",
+            "types",
             "quantity",
             "diagnostic",
             "syntax",

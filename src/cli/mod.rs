@@ -14,6 +14,7 @@ mod sim;
 mod simulators;
 mod table;
 mod test;
+mod why;
 
 use std::io::IsTerminal;
 use std::path::PathBuf;
@@ -53,6 +54,7 @@ enum Command {
     Build(build::Options),
     Test(test::Options),
     Sim(sim::Options),
+    Why(why::Options),
     Fmt(fmt::Options),
     Explain(explain::Options),
     Blocks(blocks::Options),
@@ -149,6 +151,7 @@ pub fn run() -> ExitCode {
         Command::Build(options) => build::run(&options, &mut report),
         Command::Test(options) => test::run(&options, &mut report),
         Command::Sim(options) => sim::run(&options, &mut report),
+        Command::Why(options) => why::run(&options, &mut report),
         Command::Fmt(options) => fmt::run(&options, &mut report),
         Command::Explain(options) => return exit_code(explain::run(&options)),
         Command::Blocks(options) => return exit_code(blocks::run(&options)),
