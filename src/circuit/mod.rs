@@ -5,6 +5,7 @@
 //! scan to scan. Every circuit has the implied inputs clock and reset.
 
 mod builder;
+mod fast;
 mod flatten;
 mod simplify;
 mod simulate;
@@ -14,6 +15,7 @@ use std::sync::Arc;
 
 use la_arena::{Arena, Idx};
 
+pub use fast::{FastSimulator, LANES, LaneSimulator};
 pub use simplify::simplify;
 pub use simulate::Simulator;
 pub use validate::{Invalid, Valid};
