@@ -32,9 +32,8 @@ fn main() {
         let program = hotrail::analyze(&source).0.expect("the program is good");
         let design = hotrail::compile(&program, &expand::Options::default());
         let mut random = Rng::with_seed(7);
-        let rows: Vec<Vec<u64>> = (0..ROWS)
-            .map(|_| (0..=INPUTS).map(|_| random.u64(..)).collect())
-            .collect();
+        let rows: Vec<Vec<u64>> =
+            (0..ROWS).map(|_| (0..=INPUTS).map(|_| random.u64(..)).collect()).collect();
         let show = |name: &str, scans: f64| {
             println!("{rungs:>6}  {name:<22} {scans:>14.0} {:>18.3} G", scans * rungs as f64 / 1e9);
         };

@@ -20,6 +20,7 @@ mod build_script;
 pub mod check;
 pub mod circuit;
 pub mod diagnostic;
+pub mod draw;
 pub mod equations;
 pub mod eval;
 pub mod expand;

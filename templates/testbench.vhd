@@ -109,8 +109,8 @@ begin
     {{ line.indent }}{{ signal }} <= {% if *width > 1 %}"{{ lines::binary(bits, width) }}"{% else %}'{{ bits }}'{% endif %};
 {%- when LineKind::Scan with (times, with_tick) %}
     {{ line.indent }}scan({{ times }}, '{{ with_tick }}');
-{%- when LineKind::Repeat with (times) %}
-    {{ line.indent }}for round in 1 to {{ times }} loop
+{%- when LineKind::Repeat with (times, counter) %}
+    {{ line.indent }}for {{ counter }} in 1 to {{ times }} loop
 {%- when LineKind::EndRepeat %}
     {{ line.indent }}end loop;
 {%- when LineKind::Reset %}
@@ -120,7 +120,7 @@ begin
     {{ line.indent }}if not failed and ({% for element in bench.expectations[*index].elements %}{{ element }}{% if !loop.last %} and {% endif %}{% endfor %}) /= '1' then
     {{ line.indent }}  failed := true;
     {{ line.indent }}  print("{{ FAILED }}{{ index }} conducts "{% for element in bench.expectations[*index].elements %} & image({{ element }}){% endfor %}{% for value in values %}
-    {{ line.indent }}      & " {{ value }}=" & image({{ value }}){% endfor %});
+    {{ line.indent }}      & " {{ value.label }}=" & image({{ value.text }}){% endfor %});
     {{ line.indent }}end if;
 {%- endmatch %}
 {%- endfor %}

@@ -12,6 +12,7 @@
 use std::fs;
 use std::path::Path;
 
+use hotrail::blocks::Follows;
 use hotrail::diagnostic;
 use hotrail::eval::{Outcome, run_test};
 use hotrail::lint;
@@ -122,18 +123,28 @@ fn the_reference_shows_every_block() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/language.md");
     let text = fs::read_to_string(path).unwrap();
     for block in hotrail::blocks::ALL {
-        let start = text.find(&format!("\n### {}, the {}\n", block.name, block.title));
-        let start = start.unwrap_or_else(|| panic!("no section about {}", block.name));
-        let section = text[start + 1..].split("\n## ").next().unwrap();
-        let section = section[1..].split("\n### ").next().unwrap();
+        let is_about = |section: &&str| {
+            let heading = section.lines().next().unwrap();
+            heading.split([' ', ',']).any(|word| word == block.name)
+        };
+        let section = text.split("\n### ").skip(1).find(is_about);
+        let section = section.unwrap_or_else(|| panic!("no section about {}", block.name));
+        let section = section.split("\n## ").next().unwrap();
         // The other diagrams stand in the block reference.
         let rows = block.waves[0].lines().filter(|line| !line.contains(" = "));
         let rows = rows.collect::<Vec<_>>().join("\n");
         assert!(section.contains(&rows), "the diagram of {} is\n{rows}", block.name);
         let is_shown = |role: hotrail::blocks::PortRole| role.is_parameter() || role.is_member();
         for port in block.ports.iter().filter(|port| is_shown(port.role)) {
-            let row = format!("| `{}` | `{}` |", port.name, port.ty);
+            let row = match port.follows {
+                Follows::TypeOf(setting) => format!("| `{}` | `{setting}` |", port.name),
+                Follows::ItemOf(_, item) if item > 0 => continue,
+                _ => format!("| `{}` | `{}` |", port.name, port.ty),
+            };
             assert!(section.contains(&row), "{}: {row}", block.name);
+        }
+        for setting in block.settings {
+            assert!(section.contains(&format!("| `{}` |", setting.name)), "{}", block.name);
         }
     }
 }

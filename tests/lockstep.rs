@@ -24,12 +24,8 @@ fn analyze(name: &str, text: &str) -> Result<Program, String> {
 
 /// Every variable that a program can name but its ports.
 fn inner_variables(program: &Program) -> Vec<VariableId> {
-    let is_inner = |variable: &Variable| match variable.role {
-        Role::Local => true,
-        Role::Member(instance, port) => {
-            program.instances[instance].block.ports[port].role.is_member()
-        }
-        Role::Input | Role::Output | Role::EdgeMemory | Role::FirstScan => false,
+    let is_inner = |variable: &Variable| {
+        program.is_named(variable) && !matches!(variable.role, Role::Input | Role::Output)
     };
     program.variables.iter().filter(|(_, variable)| is_inner(variable)).map(|(id, _)| id).collect()
 }
@@ -47,6 +43,9 @@ fn wrong_output(
         (shown != meant).then(|| format!("{} is {meant}, shown is {shown}", output.name))
     })
 }
+
+/// How many scans of a run the fast simulations go with.
+const FAST_SCANS: usize = 200;
 
 /// The fast simulations of a circuit that shows all its inside: one run, 64 runs in lanes, and
 /// one of those by itself. The first lane follows the plain simulation.
@@ -135,7 +134,7 @@ fn difference(program: &Program, scans: usize, mut random: Rng) -> Option<String
     };
     // What is shipped has lost what no output needs; the other shows all that has a name.
     let mut circuits = [circuit(Vec::new()), circuit(inner_variables(program))];
-    let mut fast = Fast::new(program, random.fork());
+    let mut fast = Some(Fast::new(program, random.fork()));
     let mut evaluator = Evaluator::new(program);
     let inputs: Vec<VariableId> = program.with_role(Role::Input).map(|(id, _)| id).collect();
     let tick_one_in = random.u8(1..4);
@@ -151,16 +150,20 @@ fn difference(program: &Program, scans: usize, mut random: Rng) -> Option<String
             bits.push(ty.bits(evaluator.value(input)));
         }
         evaluator.scan(tick);
-        if let Some(wrong) = fast.scan(&bits) {
+        // Long runs are there for the evaluator; the circuits have met by then.
+        fast = fast.filter(|_| scan < FAST_SCANS);
+        if let Some(wrong) = fast.as_mut().and_then(|fast| fast.scan(&bits)) {
             return Some(format!("scan {scan}: {wrong}"));
         }
         for circuit in &mut circuits {
             circuit.settle(&bits);
             circuit.clock();
-            let fast =
-                (0..circuit.circuit().outputs.len()).find(|&port| !fast.shows(port, circuit));
-            let wrong = wrong_output(program, &evaluator, circuit)
-                .or_else(|| fast.map(|port| format!("output {port} differs in a fast simulation")));
+            let outputs = 0..circuit.circuit().outputs.len();
+            let is_wrong = |fast: &Fast| outputs.clone().find(|&port| !fast.shows(port, circuit));
+            let differs = fast.as_ref().and_then(is_wrong);
+            let wrong = wrong_output(program, &evaluator, circuit).or_else(|| {
+                differs.map(|port| format!("output {port} differs in a fast simulation"))
+            });
             if wrong.is_some() {
                 return wrong.map(|wrong| format!("scan {scan}: {wrong}"));
             }

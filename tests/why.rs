@@ -99,7 +99,7 @@ fn numbers_lead_back_to_what_they_were_made_of() {
     let stimulus = "box,weight\n1,6\n0,\n1,7\n0,1\n";
     insta::assert_snapshot!(answer(program, stimulus, &["heavy"]), @"
     heavy is on in scan 3, since scan 2: ( heavy ), rung 3, line 4
-      n.Q is on in scan 3, since scan 2: n:CTU has no power since scan 3, PV = 2, CV = 2, rung 2, line 3
+      n.Q is on in scan 3, since scan 2: n:CTU has no power since scan 3, R = off, PV = 2, CV = 2, rung 2, line 3
         box went on in scan 2: an input
       { total > 10 } conducts in scan 3: rung 3, line 4
         total became 13 in scan 2: { total := total + weight }, rung 1, line 2

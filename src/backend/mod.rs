@@ -1,12 +1,14 @@
 //! From a checked program and its circuit to files.
 
 pub mod hdl;
+pub mod processor;
 #[cfg(feature = "cli")]
 mod vcd;
 
 use std::fmt;
 
 use crate::circuit::{Design, Valid};
+use crate::draw::{self, Drawing};
 use crate::expand;
 use crate::model::{Program, Role, VariableId};
 use crate::quantity;
@@ -20,9 +22,10 @@ pub use vcd::Vcd;
 /// How every value change dump of ours starts.
 const VCD_HEADER: &str = "$version\n    hotrail ";
 
-/// True if a text starts like a file that hotrail made.
+/// True if a text starts like a file that hotrail made, whatever the version and the language: it
+/// may be overwritten.
 pub fn bears_header(text: &str) -> bool {
-    hdl::bears_header(text) || text.starts_with(VCD_HEADER)
+    hdl::bears_header(text) || draw::bears_header(text) || text.starts_with(VCD_HEADER)
 }
 
 /// One file, not yet written.
@@ -46,6 +49,8 @@ pub enum Emit {
     Testbench,
     /// A top around it for a board: `NAME_top.v`, `NAME_top.vhd`.
     Wrapper,
+    /// The ladder as a picture: `NAME.svg`.
+    Svg,
 }
 
 /// How a program is built.
@@ -128,6 +133,9 @@ impl<'a> Unit<'a> {
                 artifacts.push(self.wrapper(language));
             }
         }
+        if kinds.contains(&Emit::Svg) {
+            artifacts.push(drawing(&Drawing::new(self.source, &draw::Options::default())));
+        }
         artifacts
     }
 
@@ -151,6 +159,11 @@ impl<'a> Unit<'a> {
         let file_name = format!("{}{suffix}.{}", self.program.name, language.extension());
         Artifact { file_name, text }
     }
+}
+
+/// A ladder as an SVG picture: `NAME.svg`.
+pub fn drawing(drawing: &Drawing) -> Artifact {
+    Artifact { file_name: format!("{}.svg", drawing.name), text: drawing.svg() }
 }
 
 fn observed(program: &Program, names: &[String]) -> Result<Vec<VariableId>, BadOption> {

@@ -78,7 +78,7 @@ impl Vcd {
             let Variable { name, role, .. } = &program.variables[variable];
             match *role {
                 Role::Member(instance, port) => {
-                    let port = &program.instances[instance].block.ports[port];
+                    let port = &program.instances[instance].shape.ports[port];
                     members[index(instance)].push((variable, port.name));
                 }
                 _ => plain.push((variable, top.take(name, ""))),

@@ -12,6 +12,7 @@ pub const CTD: Block = Block {
           less. A power that is on in the first scan counts as a rise. CV starts at the constant \
           PV, or at what PV is at reset. (R name) puts CV back to this start; Q is off then until \
           the next call. Source: IEC 61131-3, counter function blocks.",
+    settings: &[],
     ports: &[
         Port::circuit("LD", "holds CV at PV"),
         Port::preset("PV", Type::Int, COUNTS, "where CV starts; negative acts as 0"),
@@ -21,6 +22,9 @@ pub const CTD: Block = Block {
         Port::memory("was", "the power at the call before"),
     ],
     main: Some("Q"),
+    partner: None,
+    can_reset: true,
+    keeps: |_| Some(&["LD"]),
     step,
     build,
     waves: &[

@@ -10,6 +10,7 @@ pub const CTU: Block = Block {
     doc: "CV counts the rises of the power, up to 32767. R puts it back to 0 and holds it there. \
           Q is on while CV is PV or more. A power that is on in the first scan counts as a rise. \
           Source: IEC 61131-3, counter function blocks.",
+    settings: &[],
     ports: &[
         Port::circuit("R", "holds CV at 0"),
         Port::preset("PV", Type::Int, COUNTS, "the count at which Q comes on; negative acts as 0"),
@@ -18,6 +19,9 @@ pub const CTU: Block = Block {
         Port::memory("was", "the power at the call before"),
     ],
     main: Some("Q"),
+    partner: None,
+    can_reset: true,
+    keeps: |_| Some(&["R"]),
     step,
     build,
     waves: &[

@@ -13,6 +13,7 @@ pub const CTUD: Block = Block {
           to the right, is on while CV is PV or more, QD while CV is 0 or less. A power or a CD \
           that is on in the first scan counts as a rise. (R name) puts CV back to 0; QU and QD \
           are off then until the next call. Source: IEC 61131-3, counter function blocks.",
+    settings: &[],
     ports: &[
         Port::circuit("CD", "counts down with each rise"),
         Port::circuit("R", "holds CV at 0"),
@@ -30,6 +31,9 @@ pub const CTUD: Block = Block {
         Port::memory("was_down", "CD at the call before"),
     ],
     main: Some("QU"),
+    partner: None,
+    can_reset: true,
+    keeps: |_| Some(&["R", "LD"]),
     step,
     build,
     waves: &[

@@ -11,11 +11,15 @@ pub const F_TRIG: Block = Block {
           is off in the first scan is no fall; the body that the standard prints would give a \
           pulse there. (R name) ends the pulse. Source: IEC 61131-3, edge detection function \
           blocks.",
+    settings: &[],
     ports: &[
         Port::output("Q", Type::Bool, "the power has gone off"),
         Port::memory("was", "the power at the call before"),
     ],
     main: Some("Q"),
+    partner: None,
+    can_reset: true,
+    keeps: |_| None,
     step,
     build,
     waves: &[

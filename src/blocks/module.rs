@@ -1,7 +1,8 @@
 //! From a block's circuit to a module with registers, ports and the reset coil's inputs.
 
-use super::{Block, Logic, PortRole};
-use crate::circuit::{Circuit, Net, RegisterId};
+use super::wave::Wave;
+use super::{Choice, Logic, PortRole, Shape};
+use crate::circuit::{Circuit, Net};
 
 /// Input: this scan has the tick.
 pub const TICK: &str = "tick";
@@ -17,57 +18,119 @@ pub fn last(port: &str) -> String {
     format!("{port}_last")
 }
 
-/// The module of a block in its most general form: inputs are [`TICK`], [`POWER`], the parameters,
-/// [`CLEAR_BEFORE`] and [`CLEAR_AFTER`]; every output port `X` is there twice, as `X` after the
-/// call and as `X_last`. What an instance does not need falls away when the design is simplified.
+/// The name of the input that brings what a port outside of the module is in front of the call.
+pub fn before(port: &str) -> String {
+    format!("{port}_before")
+}
+
+/// The module of a block in its most general form. What an instance does not need falls away when
+/// the design is simplified. Its inputs are
+/// - [`TICK`], [`POWER`], [`CLEAR_BEFORE`] and [`CLEAR_AFTER`],
+/// - each parameter `X` that a call reads, as `X`,
+/// - each port `X` that the program holds, as `X_before`;
 ///
-/// `starts` holds the start value of each port in the order of [`Block::ports`].
-pub fn module(block: &'static Block, starts: &[i64]) -> Circuit {
-    let mut circuit = Circuit::new(block.name);
-    circuit.comment.push(format!("{}: {}", block.name, block.title));
-    // The first diagram shows what the block is for; the others are corner cases.
-    circuit.comment.extend(block.waves.iter().take(1).flat_map(|w| w.lines()).map(str::to_owned));
+/// and its outputs
+/// - each of those after the call, as `X`,
+/// - each output `X` that the module holds, as `X` after the call and as `X_last`.
+///
+/// `starts` holds the start value of each port in the order of [`Shape::ports`].
+pub fn module(shape: &Shape, starts: &[i64]) -> Circuit {
+    let mut circuit = Circuit::new(shape.block.name);
+    describe(shape, &mut circuit);
     let tick = circuit.input(TICK, 1);
     let power = circuit.input(POWER, 1);
-    let mut registers: Vec<Option<(RegisterId, Net)>> = Vec::new();
+    let mut registers = Vec::new();
     let mut nets = Vec::new();
-    for (port, &start) in block.ports.iter().zip(starts) {
-        let width = port.ty.width();
-        let register = (!port.role.is_parameter())
-            .then(|| circuit.register(port.name, width, port.ty.bits(start)));
-        nets.push(match register {
-            Some((_, net)) => net,
-            None => circuit.input(port.name, width),
+    for (port, &start) in shape.ports.iter().zip(starts) {
+        let (width, bits) = (port.ty.width(), port.ty.bits(start));
+        let register = port.role.is_inside().then(|| circuit.register(port.name, width, bits));
+        nets.push(match (register, port.role) {
+            (Some((_, net)), _) => Some(net),
+            (None, PortRole::Idle { .. }) => None,
+            (None, role) if role.is_outside() => Some(circuit.input(before(port.name), width)),
+            (None, _) => Some(circuit.input(port.name, width)),
         });
         registers.push(register);
     }
     let clear_before = circuit.input(CLEAR_BEFORE, 1);
     let clear_after = circuit.input(CLEAR_AFTER, 1);
 
-    let clear = |circuit: &mut Circuit, nets: &mut [Net], when: Net| {
-        for ((net, port), &start) in nets.iter_mut().zip(block.ports).zip(starts) {
-            if port.role.is_cleared() {
+    let clear = |circuit: &mut Circuit, nets: &mut [Option<Net>], when: Net| {
+        for ((net, port), &start) in nets.iter_mut().zip(&shape.ports).zip(starts) {
+            if let Some(net) = net
+                && port.role.is_inside()
+                && port.role.is_cleared()
+            {
+                let start = port.cleared.unwrap_or(start);
                 let start = circuit.constant(port.ty.bits(start), port.ty.width());
                 *net = circuit.mux(when, start, *net);
             }
         }
     };
     clear(&mut circuit, &mut nets, clear_before);
-    let mut logic = Logic { block, circuit: &mut circuit, power, tick, nets };
-    (block.build)(&mut logic);
+    let mut logic = Logic { shape, circuit: &mut circuit, power, tick, nets };
+    (shape.block.build)(&mut logic);
     let mut nets = logic.nets;
     let after_call = nets.clone();
     clear(&mut circuit, &mut nets, clear_after);
 
-    for ((port, register), (&shown, &kept)) in
-        block.ports.iter().zip(registers).zip(after_call.iter().zip(&nets))
+    for ((port, register), (shown, kept)) in
+        shape.ports.iter().zip(registers).zip(after_call.into_iter().zip(nets))
     {
+        let (Some(shown), Some(kept)) = (shown, kept) else { continue };
+        if port.role.is_result() {
+            circuit.output(port.name, shown);
+        }
         let Some((register, last_value)) = register else { continue };
         circuit.drive(register, kept);
         if port.role == PortRole::Output {
-            circuit.output(port.name, shown);
             circuit.output(last(port.name), last_value);
         }
     }
     circuit
+}
+
+/// The name and the head of the module: its settings, and the first diagram of such a block, which
+/// shows what it is for; the others are corner cases.
+fn describe(shape: &Shape, circuit: &mut Circuit) {
+    let block = shape.block;
+    for (setting, chosen) in block.settings.iter().zip(&shape.chosen) {
+        match (&setting.choice, chosen.as_slice()) {
+            (Choice::Word(words), &[word]) if word != 0 => {
+                circuit.name += &format!("_{}", words[word as usize]);
+            }
+            (Choice::Time(..), [ticks]) => circuit.name += &format!("_{}{ticks}", setting.name),
+            _ => {}
+        }
+    }
+    let settings: String = shape.described().iter().map(|one| format!(", {one}")).collect();
+    circuit.comment.push(format!("{}: {}{settings}", block.name, block.title));
+    if let Some(text) = block.waves.iter().find(|text| shows(text, shape)) {
+        let is_word = |line: &&str| {
+            let name = line.split_once(" = ").map(|(name, _)| name);
+            block.settings.iter().any(|setting| {
+                Some(setting.name) == name && matches!(setting.choice, Choice::Word(_))
+            })
+        };
+        let lines = text.lines().filter(|line| !is_word(line));
+        circuit.comment.extend(lines.map(str::to_owned));
+    }
+}
+
+/// True if a diagram is one of a block with the same words.
+fn shows(text: &str, shape: &Shape) -> bool {
+    let wave = Wave::parse(shape.block, text).expect("a block's diagrams can be read");
+    let settings = shape.block.settings.iter().zip(&shape.chosen).zip(wave.chosen);
+    settings
+        .filter(|((setting, _), _)| matches!(setting.choice, Choice::Word(_)))
+        .all(|((_, chosen), drawn)| *chosen == drawn)
+}
+
+/// What two calls have in common that can use one module.
+pub type Key = (&'static str, Vec<Vec<i64>>, Vec<i64>);
+
+/// The key of a call: what `module` makes of it depends on nothing else.
+pub fn key(shape: &Shape, starts: &[i64]) -> Key {
+    let held = shape.ports.iter().zip(starts).filter(|(port, _)| port.role.is_inside());
+    (shape.block.name, shape.chosen.clone(), held.map(|(_, &start)| start).collect())
 }

@@ -10,11 +10,15 @@ pub const R_TRIG: Block = Block {
     doc: "Q is on in a scan in which the power is on and was off at the call before. A power that \
           is on in the first scan is a rise. (R name) ends the pulse; a held power gives no other. \
           Source: IEC 61131-3, edge detection function blocks.",
+    settings: &[],
     ports: &[
         Port::output("Q", Type::Bool, "the power has come on"),
         Port::memory("was", "the power at the call before"),
     ],
     main: Some("Q"),
+    partner: None,
+    can_reset: true,
+    keeps: |_| None,
     step,
     build,
     waves: &[

@@ -2,7 +2,8 @@
 
 use std::fmt::Write;
 
-use super::{ALL, Block, Port, PortRole, Start};
+use super::{ALL, Block, Choice, Follows, Port, PortRole, Setting, Start};
+use crate::quantity::time_text;
 use crate::types::Type;
 
 const INTRODUCTION: &str = "\
@@ -14,7 +15,8 @@ This page is made from the compiler's own tables; a test holds it to them. How a
 In a timing diagram one column is one scan. `IN` is the power that arrives. `_` and `#` are off and on, a
 digit is a number, and `CV+2` stands for `CV` with 2 added. Where there is no row `tick`, every scan has the
 tick. `(R)` is the power of an `(R name)` that stands below the call. A line `CV = 32766` says where a value
-starts.
+starts. For blocks that count units of time a row `unit` says which scans have the pulse of the unit; where
+there is none, all have.
 ";
 
 /// The whole reference, as Markdown.
@@ -41,21 +43,55 @@ pub fn section(block: &Block) -> String {
     let mut text = format!("## {}, the {}\n\n", block.name, block.title);
     wrap(&mut text, block.doc);
     text += "\n| name | type | kind | meaning |\n|---|---|---|---|\n";
-    let is_shown = |port: &&Port| port.role.is_parameter() || port.role.is_member();
+    for setting in block.settings {
+        let (ty, range) = constants(setting);
+        let Setting { name, doc, .. } = setting;
+        let _ = writeln!(text, "| `{name}` | {ty} | parameter, {range} | {doc} |");
+    }
+    let is_shown = |port: &&Port| {
+        let is_further_item = matches!(port.follows, Follows::ItemOf(_, item) if item > 0);
+        (port.role.is_parameter() || port.role.is_member()) && !is_further_item
+    };
     for port in block.ports.iter().filter(is_shown) {
-        let _ = writeln!(
-            text,
-            "| `{}` | `{}` | {} | {} |",
-            port.name,
-            port.ty,
-            kind(block, port),
-            port.doc
-        );
+        let (name, ty) = (name(port), type_name(port));
+        let _ = writeln!(text, "| {name} | {ty} | {} | {} |", kind(block, port), port.doc);
     }
     for wave in block.waves {
         let _ = write!(text, "\n```text\n{wave}\n```\n");
     }
     text
+}
+
+/// What a setting takes, in words.
+fn constants(setting: &Setting) -> (&'static str, String) {
+    let time = |ns: u64| format!("`{}`", time_text(ns.into()));
+    match setting.choice {
+        Choice::Word(words) => {
+            let all: Vec<String> = words.iter().map(|word| format!("`{word}`")).collect();
+            ("word", format!("{}; else {}", all.join(", "), all[0]))
+        }
+        Choice::Time(lengths, otherwise) => {
+            let all: Vec<String> = lengths.iter().map(|&ns| time(ns)).collect();
+            ("`TIME`", format!("{}; else {}", all.join(", "), time(otherwise)))
+        }
+        Choice::List { low, high, most } => {
+            ("list", format!("1 to {most} constants {low} to {high}"))
+        }
+    }
+}
+
+fn name(port: &Port) -> String {
+    match port.follows {
+        Follows::ItemOf(..) => format!("`{}` and on", port.name),
+        _ => format!("`{}`", port.name),
+    }
+}
+
+fn type_name(port: &Port) -> String {
+    match port.follows {
+        Follows::TypeOf(setting) => format!("`{setting}`"),
+        _ => format!("`{}`", port.ty),
+    }
 }
 
 /// What a port is there for, in words.
@@ -66,11 +102,23 @@ fn kind(block: &Block, port: &Port) -> String {
             let unit = if port.ty == Type::Time { " ticks" } else { "" };
             format!("parameter, constants {low} to {high}{unit}")
         }
+        PortRole::Loaded { low, high } | PortRole::Accumulator(Some((low, high))) => {
+            format!("parameter, its start, constants {low} to {high}; can be assigned")
+        }
+        PortRole::Accumulator(None) => "can be assigned".to_owned(),
         PortRole::Output if block.main == Some(port.name) => "output, goes on to the right".into(),
-        PortRole::Output | PortRole::State | PortRole::Memory => "output".to_owned(),
+        PortRole::Output
+        | PortRole::State
+        | PortRole::Memory
+        | PortRole::Pulse(_)
+        | PortRole::Shared { .. } => "output".to_owned(),
+        PortRole::Idle { .. } => {
+            format!("output of {}", block.partner.expect("another call writes it"))
+        }
     };
     match port.start {
         Start::Value(0) => {}
+        Start::Value(1) if port.role == PortRole::Circuit => words += "; left out, it is on",
         Start::Value(value) => words += &format!(", starts at {value}"),
         Start::Preset(preset) => words += &format!(", starts at `{preset}`"),
     }

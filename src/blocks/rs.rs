@@ -10,8 +10,12 @@ pub const RS: Block = Block {
     doc: "The power, S in the standard, puts Q on; R1 puts it off. With both Q is off. With \
           neither Q stays. (R name) puts Q off too; a held power puts it on again at the next \
           call. Source: IEC 61131-3, bistable function blocks.",
+    settings: &[],
     ports: &[Port::circuit("R1", "holds Q off"), Port::output("Q", Type::Bool, "the latch")],
     main: Some("Q"),
+    partner: None,
+    can_reset: true,
+    keeps: |_| Some(&["R1"]),
     step,
     build,
     waves: &[

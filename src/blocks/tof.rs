@@ -13,6 +13,7 @@ pub const TOF: Block = Block {
           power through. A power that is off in the first scan starts nothing. (R name) ends a \
           delay; a held power puts Q on again at the next call. Source: IEC 61131-3, timer \
           function blocks.",
+    settings: &[],
     ports: &[
         Port::preset(
             "PT",
@@ -26,6 +27,9 @@ pub const TOF: Block = Block {
         Port::memory("was", "the power at the call before"),
     ],
     main: Some("Q"),
+    partner: None,
+    can_reset: true,
+    keeps: |_| None,
     step,
     build,
     waves: &[

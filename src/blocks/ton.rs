@@ -11,6 +11,7 @@ pub const TON: Block = Block {
           the ticks since the power came on, up to PT. The tick of the scan in which the power \
           comes on does not count. PT = 0 passes the power through. Source: IEC 61131-3, timer \
           function blocks.",
+    settings: &[],
     ports: &[
         Port::preset(
             "PT",
@@ -23,6 +24,9 @@ pub const TON: Block = Block {
         Port::memory("was", "the power at the call before"),
     ],
     main: Some("Q"),
+    partner: None,
+    can_reset: true,
+    keeps: |_| None,
     step,
     build,
     waves: &[

@@ -13,6 +13,7 @@ pub const TONR: Block = Block {
           on does not count; where the power stays on over an R, the first tick after R does. \
           With PT = 0, Q is on unless R is. (R name) puts ET back to 0 too; Q is off then until \
           the next call. Source: Siemens S7-1200, timer operations, TONR.",
+    settings: &[],
     ports: &[
         Port::preset(
             "PT",
@@ -26,6 +27,9 @@ pub const TONR: Block = Block {
         Port::memory("was", "the power at the call before, also while R is on"),
     ],
     main: Some("Q"),
+    partner: None,
+    can_reset: true,
+    keeps: |_| Some(&["R"]),
     step,
     build,
     waves: &[

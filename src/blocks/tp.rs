@@ -13,6 +13,7 @@ pub const TP: Block = Block {
           pulse, or in the scan in which one ends, starts none. PT = 0 gives no pulse. A power \
           that is on in the first scan is a rise. (R name) ends a pulse; a held power does not \
           start another. Source: IEC 61131-3, timer function blocks.",
+    settings: &[],
     ports: &[
         Port::preset("PT", Type::Time, TIMES, "length of the pulse, in ticks; negative acts as 0"),
         Port::output("Q", Type::Bool, "the pulse"),
@@ -21,6 +22,9 @@ pub const TP: Block = Block {
         Port::memory("was", "the power at the call before"),
     ],
     main: Some("Q"),
+    partner: None,
+    can_reset: true,
+    keeps: |_| None,
     step,
     build,
     waves: &[

@@ -1,12 +1,14 @@
 //! Calls of function blocks: each argument as its parameter asks.
 
+use std::sync::Arc;
+
 use super::names::Entity;
-use super::network::Place;
+use super::network::Site;
 use super::{Checked, Checker, Reported};
-use crate::blocks::{Block, PortRole};
+use crate::blocks::{self, Shape};
 use crate::diagnostic::{Diagnostic, code, shortened, similar_name};
 use crate::model::{Argument, ArgumentValue, Call, Element, ExprKind, InstanceId, VariableId};
-use crate::source::Span;
+use crate::quantity::{self, time_text};
 use crate::syntax::ast::{self, BinaryOperator, LiteralKind, Series};
 use crate::types::Type;
 
@@ -15,34 +17,66 @@ impl<'s> Checker<'s> {
         let Some(Entity::Instance(instance)) = self.names.get(call.name.text) else {
             return Err(Reported);
         };
-        let block = self.program.instances[instance].block;
+        let declared = &self.program.instances[instance];
+        let mut shape = declared.shape.clone();
+        if declared.has_partner {
+            let block = blocks::named(call.kind.text).expect("it was found for the declaration");
+            shape = Arc::new(Shape::new(block, shape.chosen.clone()));
+            if block.name != declared.shape.block.name {
+                return self.second_call(call, instance, shape);
+            }
+        }
         let mut arguments: Vec<Argument> = Vec::new();
-        let mut places: Vec<Span> = Vec::new();
+        let mut names: Vec<ast::Name<'s>> = Vec::new();
         for argument in &call.arguments {
-            let Ok(port) = self.parameter(block, argument.name) else { continue };
-            if let Some(first) = arguments.iter().position(|other| other.port == port) {
+            let first = names.iter().find(|name: &&ast::Name| name.text == argument.name.text);
+            if let Some(first) = first {
                 let message = format!("{} is given twice", argument.name.text);
                 let diagnostic = Diagnostic::new(code::BAD_ARGUMENT, argument.name.span, message)
                     .label("given again")
-                    .also(places[first], "given here first")
+                    .also(first.span, "given here first")
                     .help("keep one of them");
                 self.report(diagnostic);
                 continue;
             }
-            let value = match block.ports[port].role {
-                PortRole::Preset { low, high } => {
-                    self.preset(&argument.value, block, port, low, high)
-                }
-                _ => self.circuit(&argument.value),
+            names.push(argument.name);
+            if shape.block.settings.iter().any(|setting| setting.name == argument.name.text) {
+                continue; // Checked when the instance was declared.
+            }
+            let Ok(port) = self.parameter(&shape, argument.name) else { continue };
+            let value = match shape.ports[port].role.range() {
+                Some(range) => self.preset(&argument.value, &shape, port, range),
+                None => self.circuit(&argument.value),
             };
             if let Ok(value) = value {
                 let span = argument.name.span.to(argument.value.span());
                 arguments.push(Argument { port, value, span });
-                places.push(argument.name.span);
             }
         }
         self.start_values(instance, &arguments);
-        Ok(Call { instance, arguments })
+        let is_start = |argument: &mut Argument| shape.ports[argument.port].role.is_loaded();
+        let starts = arguments.extract_if(.., is_start).collect();
+        arguments.extend(self.pulses(&shape, call.kind));
+        Ok(Call { instance, shape, arguments, starts })
+    }
+
+    /// The second call of a pair of counters: the first one has said everything.
+    fn second_call(
+        &mut self,
+        call: &ast::Call<'s>,
+        instance: InstanceId,
+        shape: Arc<Shape>,
+    ) -> Checked<Call> {
+        if let [first, ..] = call.arguments.as_slice() {
+            let name = call.name.text;
+            let message = format!("the first call of `{name}` gives the arguments of both");
+            let diagnostic = Diagnostic::new(code::BAD_ARGUMENT, first.name.span, message)
+                .label("given in a second call")
+                .also(self.program.instances[instance].span, "called here first")
+                .help(format!("write {name}:{}(), and give everything above", call.kind.text));
+            return Err(self.report(diagnostic));
+        }
+        Ok(Call { instance, shape, arguments: Vec::new(), starts: Vec::new() })
     }
 
     /// Gives the members their values at reset, which may be those of presets then. A start value
@@ -50,11 +84,11 @@ impl<'s> Checker<'s> {
     fn start_values(&mut self, instance: InstanceId, arguments: &[Argument]) {
         let called = &self.program.instances[instance];
         let initial = |variable: VariableId| self.program.variables[variable].initial;
-        let starts = called.block.starts(|port| {
+        let starts = called.shape.starts(|port| {
             let given = arguments.iter().find(|argument| argument.port == port);
-            match given.map(|argument| &argument.value) {
-                Some(ArgumentValue::Value(expr)) => expr.value(&initial),
-                _ => initial(called.members[port]),
+            match &given?.value {
+                ArgumentValue::Value(expr) => Some(expr.value(&initial)),
+                ArgumentValue::Network(_) => None,
             }
         });
         for (&member, start) in called.members.iter().zip(starts) {
@@ -62,13 +96,17 @@ impl<'s> Checker<'s> {
         }
     }
 
-    fn parameter(&mut self, block: &'static Block, name: ast::Name<'s>) -> Checked<usize> {
-        let is_parameter = |port: &usize| block.ports[*port].role.is_parameter();
-        if let Some(port) = block.port_named(name.text).filter(is_parameter) {
+    fn parameter(&mut self, shape: &Shape, name: ast::Name<'s>) -> Checked<usize> {
+        let is_parameter = |port: &usize| shape.ports[*port].role.is_parameter();
+        if let Some(port) = shape.port_named(name.text).filter(is_parameter) {
             return Ok(port);
         }
-        let parameters =
-            || block.ports.iter().filter(|port| port.role.is_parameter()).map(|port| port.name);
+        let block = shape.block;
+        let parameters = || {
+            let ports = shape.ports.iter().filter(|port| port.role.is_parameter());
+            let settings = block.settings.iter().map(|setting| setting.name);
+            ports.map(|port| port.name).chain(settings)
+        };
         let message = format!("{} has no parameter `{}`", block.name, shortened(name.text));
         let help = match similar_name(name.text, parameters()) {
             Some(similar) => format!("is `{similar}` meant?"),
@@ -90,12 +128,11 @@ impl<'s> Checker<'s> {
     fn preset(
         &mut self,
         value: &ast::ArgumentValue<'s>,
-        block: &'static Block,
+        shape: &Shape,
         port: usize,
-        low: i64,
-        high: i64,
+        (low, high): (i64, i64),
     ) -> Checked<ArgumentValue> {
-        let port = &block.ports[port];
+        let port = &shape.ports[port];
         let expr = match value {
             ast::ArgumentValue::Expr(expr) => expr,
             ast::ArgumentValue::Network(Series { span, .. })
@@ -107,11 +144,17 @@ impl<'s> Checker<'s> {
                 return Err(self.report(diagnostic));
             }
         };
+        if port.ty != Type::Time
+            && let ast::ExprKind::Literal(literal) = expr.kind
+            && literal.kind == LiteralKind::Time
+        {
+            return Err(self.time_for_a_count(shape, port.name, literal));
+        }
         let checked = self.expression(expr, Some(port.ty))?;
         if let ExprKind::Constant(constant) = checked.kind
             && !(low..=high).contains(&constant)
         {
-            let message = format!("{} of {} is {low} to {high}", port.name, block.name);
+            let message = format!("{} of {} is {low} to {high}", port.name, shape.block.name);
             let diagnostic = Diagnostic::new(code::OUT_OF_RANGE, expr.span, message)
                 .label(format!("this is {constant}"))
                 .help("use a value in that range");
@@ -120,11 +163,32 @@ impl<'s> Checker<'s> {
         Ok(ArgumentValue::Value(checked))
     }
 
+    /// Other makers' timers take a number of units, where IEC timers take a time.
+    fn time_for_a_count(
+        &mut self,
+        shape: &Shape,
+        port: &str,
+        literal: ast::Literal<'s>,
+    ) -> Reported {
+        let unit = shape.unit_ns(self.program.tick_ns).map(i128::from);
+        let help = match (unit, quantity::time_ns(literal.text)) {
+            (Some(unit), Some(ns)) if ns % unit == 0 => {
+                format!("it counts units of {}: {port} := {}", time_text(unit), ns / unit)
+            }
+            (Some(unit), _) => format!("it counts units of {}", time_text(unit)),
+            (None, _) => "write how often it has to count, without a unit".to_owned(),
+        };
+        let message = format!("{port} of {} is a number, not a time", shape.block.name);
+        let diagnostic =
+            Diagnostic::new(code::TYPE_MISMATCH, literal.span, message).label("a time").help(help);
+        self.report(diagnostic)
+    }
+
     /// A network, also where it looks like an expression or a list of constants.
     fn circuit(&mut self, value: &ast::ArgumentValue<'s>) -> Checked<ArgumentValue> {
         let expr = match value {
             ast::ArgumentValue::Network(network) => {
-                return Ok(ArgumentValue::Network(self.series(network, Place::Argument)));
+                return Ok(ArgumentValue::Network(self.series(network, Site::Argument)));
             }
             ast::ArgumentValue::List(items, _) if items.len() == 1 => &items[0],
             ast::ArgumentValue::List(_, span) => {

@@ -3,13 +3,16 @@
 mod call;
 mod declare;
 mod expression;
+mod function;
 mod literal;
 mod names;
 mod net;
 mod network;
 mod number;
 mod reference;
+mod settings;
 mod test;
+mod variables;
 
 use std::collections::HashMap;
 
@@ -35,6 +38,8 @@ struct Checker<'s> {
     first_scan: Option<VariableId>,
     /// Number of expectations so far, over all tests.
     expectations: usize,
+    /// The pulse of each unit of time that some block needs, by its length in nanoseconds.
+    units: HashMap<u64, VariableId>,
     /// Who has which image address.
     addresses: HashMap<u16, Name<'s>>,
 }
@@ -49,6 +54,7 @@ pub fn check(source: &Source, file: &File<'_>) -> (Option<Program>, Vec<Diagnost
         diagnostics: Vec::new(),
         first_scan: None,
         expectations: 0,
+        units: HashMap::new(),
         addresses: HashMap::new(),
     };
     checker.check(file);

@@ -20,7 +20,7 @@ impl Circuit {
         Circuit { name: name.into(), ..Circuit::default() }
     }
 
-    fn add_cell(&mut self, op: Op, width: u32) -> Net {
+    pub(super) fn add_cell(&mut self, op: Op, width: u32) -> Net {
         self.cells.alloc(Cell { op, width })
     }
 
@@ -255,10 +255,28 @@ impl Circuit {
 
     /// `width` bits from bit `low` up.
     pub fn slice(&mut self, from: Net, low: u32, width: u32) -> Net {
-        match self.constant_value(from) {
-            Some(value) => self.constant(value >> low, width),
-            None if low == 0 && width == self.width(from) => from,
-            None => self.add_cell(Op::Slice { from, low }, width),
+        if low == 0 && width == self.width(from) {
+            return from;
+        }
+        match self.cells[from].op {
+            Op::Const(value) => self.constant(value >> low, width),
+            Op::Slice { from, low: below } => self.slice(from, below + low, width),
+            Op::Extend { from, .. } if low + width <= self.width(from) => {
+                self.slice(from, low, width)
+            }
+            Op::Concat(parts) => {
+                let mut top = self.width(from);
+                let mut kept = Vec::new();
+                for part in self.list(parts).to_vec() {
+                    top -= self.width(part);
+                    let (first, end) = (low.max(top), (low + width).min(top + self.width(part)));
+                    if first < end {
+                        kept.push(self.slice(part, first - top, end - first));
+                    }
+                }
+                self.concat(kept)
+            }
+            _ => self.add_cell(Op::Slice { from, low }, width),
         }
     }
 }

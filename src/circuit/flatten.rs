@@ -139,9 +139,13 @@ pub(super) fn copy_cell(
         Op::Mux { select, on, off } => to.mux(map(select), map(on), map(off)),
         Op::Add(a, b) => to.add(map(a), map(b)),
         Op::Sub(a, b) => to.sub(map(a), map(b)),
+        Op::Mul(a, b) => to.mul(map(a), map(b)),
+        Op::Div(a, b) => to.div(map(a), map(b)),
+        Op::Rem(a, b) => to.rem(map(a), map(b)),
         Op::Eq(a, b) => to.eq(map(a), map(b)),
         Op::Less { a, b, signed } => to.less(map(a), map(b), signed),
         Op::Extend { from, signed } => to.resize(map(from), cell.width, signed),
         Op::Slice { from, low } => to.slice(map(from), low, cell.width),
+        Op::Concat(operands) => to.concat(list(operands)),
     }
 }

@@ -201,6 +201,7 @@ fn prune(circuit: &Circuit, live: &[bool], read: &[PortSet]) -> Circuit {
     let mut pruned = Circuit::new(&circuit.name);
     pruned.comment.clone_from(&circuit.comment);
     pruned.inputs.clone_from(&circuit.inputs);
+    pruned.vectors.clone_from(&circuit.vectors);
     for (net, cell) in circuit.cells().filter(|(net, _)| live[index(*net)]) {
         let cell = keep.cell(circuit, &mut pruned, cell);
         keep.nets[index(net)] = Some(pruned.cells.alloc(cell));
@@ -252,10 +253,14 @@ impl<'a> Keep<'a> {
             }
             Op::Add(a, b) => Op::Add(self.net(a), self.net(b)),
             Op::Sub(a, b) => Op::Sub(self.net(a), self.net(b)),
+            Op::Mul(a, b) => Op::Mul(self.net(a), self.net(b)),
+            Op::Div(a, b) => Op::Div(self.net(a), self.net(b)),
+            Op::Rem(a, b) => Op::Rem(self.net(a), self.net(b)),
             Op::Eq(a, b) => Op::Eq(self.net(a), self.net(b)),
             Op::Less { a, b, signed } => Op::Less { a: self.net(a), b: self.net(b), signed },
             Op::Extend { from, signed } => Op::Extend { from: self.net(from), signed },
             Op::Slice { from, low } => Op::Slice { from: self.net(from), low },
+            Op::Concat(operands) => Op::Concat(list(operands)),
         };
         Cell { op, width: cell.width }
     }

@@ -83,6 +83,9 @@ impl Simulator {
             Op::Mux { select, on, off } => get(if get(select) != 0 { on } else { off }),
             Op::Add(a, b) => get(a).wrapping_add(get(b)),
             Op::Sub(a, b) => get(a).wrapping_sub(get(b)),
+            Op::Mul(a, b) => get(a).wrapping_mul(get(b)),
+            Op::Div(a, b) => get(a).checked_div(get(b)).unwrap_or(0),
+            Op::Rem(a, b) => get(a).checked_rem(get(b)).unwrap_or(0),
             Op::Eq(a, b) => u64::from(get(a) == get(b)),
             Op::Less { a, b, signed: false } => u64::from(get(a) < get(b)),
             Op::Less { a, b, signed: true } => {
@@ -94,6 +97,10 @@ impl Simulator {
                 as_signed(get(from), self.circuit.width(from)) as u64
             }
             Op::Slice { from, low } => get(from) >> low,
+            Op::Concat(list) => self.circuit.list(list).iter().fold(0, |high, &net| {
+                // A part of all 64 bits would have no neighbour.
+                high << self.circuit.width(net) | get(net)
+            }),
         };
         bits & mask(width)
     }

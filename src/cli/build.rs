@@ -64,6 +64,8 @@ enum EmitKind {
     Testbench,
     /// A top with synchronisers, reset and tick around the program
     Wrapper,
+    /// The ladder as a picture
+    Svg,
 }
 
 impl EmitKind {
@@ -73,6 +75,7 @@ impl EmitKind {
             EmitKind::Vhdl => Emit::Vhdl,
             EmitKind::Testbench => Emit::Testbench,
             EmitKind::Wrapper => Emit::Wrapper,
+            EmitKind::Svg => Emit::Svg,
         }
     }
 }

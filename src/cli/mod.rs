@@ -4,6 +4,7 @@ mod blocks;
 mod build;
 mod check;
 mod completions;
+mod draw;
 mod dump;
 mod explain;
 mod fmt;
@@ -45,6 +46,7 @@ const EXAMPLES: &str = "Examples:
   hotrail test conveyor.ladder
   hotrail sim conveyor.ladder stimulus.csv --vcd conveyor.vcd
   hotrail fmt conveyor.ladder
+  hotrail draw conveyor.ladder
   hotrail build conveyor.ladder -o out --emit verilog,vhdl";
 
 #[derive(Subcommand)]
@@ -56,6 +58,7 @@ enum Command {
     Sim(sim::Options),
     Why(why::Options),
     Fmt(fmt::Options),
+    Draw(draw::Options),
     Explain(explain::Options),
     Blocks(blocks::Options),
     Completions(completions::Options),
@@ -153,6 +156,7 @@ pub fn run() -> ExitCode {
         Command::Sim(options) => sim::run(&options, &mut report),
         Command::Why(options) => why::run(&options, &mut report),
         Command::Fmt(options) => fmt::run(&options, &mut report),
+        Command::Draw(options) => draw::run(&options, &mut report),
         Command::Explain(options) => return exit_code(explain::run(&options)),
         Command::Blocks(options) => return exit_code(blocks::run(&options)),
         Command::Completions(options) => return exit_code(completions::run(&options)),

@@ -129,6 +129,7 @@ codes! {
     Error E0204 BAD_TIME "a time is no whole number of ticks"
     Error E0205 BAD_CLOCK "the clock or the tick cannot be used"
     Error E0206 BAD_ADDRESS "an image address is out of its region or taken"
+    Error E0207 BAD_CALL "a function has too few or too many arguments"
     // Rungs
     Error E0301 EMPTY_BRANCH "a branch or network is empty"
     Error E0302 NO_OUTPUT "a rung has no coil, assignment or block"
@@ -150,6 +151,10 @@ codes! {
     Error E0701 BAD_STIMULUS "a stimulus is no table of inputs and scans"
     Error E0702 BAD_COLUMN "a column of a stimulus is no input"
     Error E0703 BAD_CELL "a value of a stimulus does not fit its input"
+    // The ladder processor
+    Error E0801 NOT_ON_PROCESSOR "the ladder processor cannot do this"
+    Error E0802 PROCESSOR_FULL "the ladder processor has no room for this"
+    Error E0803 BAD_IMAGE "a file is no image that the ladder processor can run"
 
     // Allowing
     Warning W0001 BAD_ALLOW "an allow names nothing that can be allowed"
@@ -169,6 +174,7 @@ codes! {
     Note W0307 DEEP_RUNG "a rung has lists nested very deep"
     Warning W0308 NO_RUNGS "the program has no rungs"
     Warning W0309 DEAD_END "a part of a network never carries power to the right"
+    Warning W0310 AT_RAIL "a `not` or a one-shot stands where the power is always on"
     // Blocks
     Warning W0401 PRESET_ZERO "the preset of a timer or counter is 0"
     Warning W0402 NEVER_RESET "nothing resets a counter or retentive timer"

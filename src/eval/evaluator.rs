@@ -5,7 +5,7 @@ use super::recorder::Recorder;
 use crate::blocks::Step;
 use crate::index::index;
 use crate::model::{
-    ArgumentValue, Call, CoilAction, Edge, Element, Expr, Net, Program, Role, VariableId,
+    ArgumentValue, Call, CoilAction, Edge, Element, Expr, Net, Place, Program, Role, VariableId,
 };
 
 /// A program that runs.
@@ -48,6 +48,9 @@ impl<'p> Evaluator<'p> {
     pub fn scan(&mut self, tick: bool) {
         self.tick = tick;
         let program = self.program;
+        for unit in &program.units {
+            self.call(unit, false);
+        }
         for rung in &program.rungs {
             self.series(&rung.network, true);
         }
@@ -85,6 +88,23 @@ impl<'p> Evaluator<'p> {
         self.value(variable) != 0
     }
 
+    fn read(&self, place: &Place) -> i64 {
+        place.value(&|variable| self.value(variable))
+    }
+
+    /// Writes what the place means now; an index out of range means nothing.
+    fn write(&mut self, place: &Place, value: i64) {
+        let Some(variable) = place.variable(&|variable| self.value(variable)) else { return };
+        let value = match place.bit {
+            None => value,
+            Some(bit) => {
+                let others = self.value(variable) & !(1 << bit);
+                self.program.variables[variable].ty.wrap(others | value << bit)
+            }
+        };
+        self.set(variable, value);
+    }
+
     fn series(&mut self, series: &[Element], power: bool) -> bool {
         series.iter().fold(power, |power, element| self.element(element, power))
     }
@@ -104,11 +124,9 @@ impl<'p> Evaluator<'p> {
     fn execute(&mut self, element: &Element, power: bool) -> bool {
         match element {
             Element::Constant(value) => power && *value,
-            Element::Contact { variable, negated, .. } => {
-                power && self.is_on(*variable) != *negated
-            }
-            Element::Edge { variable, edge, memory } => {
-                let now = self.is_on(*variable);
+            Element::Contact { place, negated, .. } => power && (self.read(place) != 0) != *negated,
+            Element::Edge { place, edge, memory } => {
+                let now = self.read(place) != 0;
                 self.edge(now, *edge, *memory) && power
             }
             Element::Parallel(branches) => {
@@ -122,14 +140,14 @@ impl<'p> Evaluator<'p> {
             Element::Invert => !power,
             Element::Compare(expr, _) => self.expr(expr) != 0 && power,
             Element::Coil { target, action, .. } => {
-                self.coil(*target, *action, power);
+                self.coil(target, *action, power);
                 power
             }
             Element::ResetInstance(instance) => {
-                let instance = &self.program.instances[*instance];
-                for (port, &member) in instance.block.ports.iter().zip(&instance.members) {
-                    if power && port.role.is_cleared() {
-                        self.set(member, self.program.variables[member].initial);
+                if power {
+                    let program = self.program;
+                    for (_, member, value) in program.instances[*instance].cleared(program) {
+                        self.set(member, value);
                     }
                 }
                 power
@@ -137,11 +155,16 @@ impl<'p> Evaluator<'p> {
             Element::Assign { target, value, .. } => {
                 let value = self.expr(value);
                 if power {
-                    self.set(*target, value);
+                    self.write(target, value);
                 }
                 power
             }
-            Element::Call(call) => self.call(call, power),
+            Element::Call(call) => {
+                if let Some(recorder) = &mut self.recorder {
+                    recorder.call(power);
+                }
+                self.call(call, power)
+            }
             Element::Net(net) => self.net(net) && power,
         }
     }
@@ -179,24 +202,21 @@ impl<'p> Evaluator<'p> {
         }
     }
 
-    fn coil(&mut self, target: VariableId, action: CoilAction, power: bool) {
+    fn coil(&mut self, target: &Place, action: CoilAction, power: bool) {
         match action {
-            CoilAction::Plain => self.set(target, power.into()),
-            CoilAction::Negated => self.set(target, (!power).into()),
-            CoilAction::Set if power => self.set(target, 1),
-            CoilAction::Reset if power => self.set(target, 0),
+            CoilAction::Plain => self.write(target, power.into()),
+            CoilAction::Negated => self.write(target, (!power).into()),
+            CoilAction::Set if power => self.write(target, 1),
+            CoilAction::Reset if power => self.write(target, 0),
             CoilAction::Set | CoilAction::Reset => {}
             CoilAction::Edge(edge, memory) => {
                 let changed = self.edge(power, edge, memory);
-                self.set(target, changed.into());
+                self.write(target, changed.into());
             }
         }
     }
 
     fn call(&mut self, call: &Call, power: bool) -> bool {
-        if let Some(recorder) = &mut self.recorder {
-            recorder.call(power);
-        }
         let instance = &self.program.instances[call.instance];
         // An argument that reads a member of the block sees what the call before left, also where
         // another argument of this call is about to change it.
@@ -212,12 +232,12 @@ impl<'p> Evaluator<'p> {
         }
         let mut values: Vec<i64> =
             instance.members.iter().map(|&member| self.value(member)).collect();
-        let block = instance.block;
-        (block.step)(&mut Step { block, power, tick: self.tick, values: &mut values });
+        let shape = &*call.shape;
+        (shape.block.step)(&mut Step { shape, power, tick: self.tick, values: &mut values });
         for (&member, value) in instance.members.iter().zip(values) {
             self.set(member, value);
         }
-        match block.main_port() {
+        match shape.main_port() {
             Some(port) => self.is_on(instance.members[port]),
             None => power,
         }

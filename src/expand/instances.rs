@@ -1,7 +1,7 @@
 //! Block instances: what the scan gives them, and what they show.
 
 use super::Expansion;
-use crate::blocks::{self, PortRole};
+use crate::blocks::{self, PortRole, Shape};
 use crate::circuit::{self, Circuit, ModuleId, Net};
 use crate::equations::ExprId;
 use crate::index::index;
@@ -9,46 +9,56 @@ use crate::model::InstanceId;
 
 /// What an instance is given, collected over the scan.
 pub(super) struct Called {
-    id: circuit::InstanceId,
-    module: ModuleId,
+    pub(super) id: circuit::InstanceId,
+    pub(super) module: ModuleId,
     power: Option<Net>,
-    /// Values of the parameters at the call.
-    parameters: Vec<Option<Net>>,
+    /// What each port reads at the call.
+    given: Vec<Option<Net>>,
     clear_before: Vec<Net>,
     clear_after: Vec<Net>,
 }
 
 impl Expansion<'_> {
-    pub(super) fn called(&mut self, instance: InstanceId) -> &mut Called {
-        let program = self.program;
-        let declared = &program.instances[instance];
+    /// The circuit instance of an instance's only or first call.
+    pub(super) fn called(&mut self, instance: InstanceId, shape: &Shape) -> &mut Called {
         if self.instances[index(instance)].is_none() {
-            let starts: Vec<i64> =
-                declared.members.iter().map(|&member| program.variables[member].initial).collect();
-            let modules = &mut self.modules;
-            let module = *self.by_block.entry((declared.block.name, starts)).or_insert_with_key(
-                |(_, starts)| modules.alloc(blocks::module(declared.block, starts)),
-            );
-            let id = self.circuit.instance(&declared.name, module);
-            self.instances[index(instance)] = Some(Called {
-                id,
-                module,
-                power: None,
-                parameters: vec![None; declared.block.ports.len()],
-                clear_before: Vec::new(),
-                clear_after: Vec::new(),
-            });
+            let name = self.program.instances[instance].name.clone();
+            let called = self.instantiate(instance, name, shape);
+            self.instances[index(instance)] = Some(called);
         }
         self.instances[index(instance)].as_mut().expect("it was just made")
     }
 
+    /// The circuit instance of one call.
+    fn instantiate(&mut self, instance: InstanceId, name: String, shape: &Shape) -> Called {
+        let program = self.program;
+        let starts: Vec<i64> = program.instances[instance]
+            .members
+            .iter()
+            .map(|&member| program.variables[member].initial)
+            .collect();
+        let modules = &mut self.modules;
+        let module = *self
+            .by_block
+            .entry(blocks::key(shape, &starts))
+            .or_insert_with(|| modules.alloc(blocks::module(shape, &starts)));
+        Called {
+            id: self.circuit.instance(name, module),
+            module,
+            power: None,
+            given: vec![None; shape.ports.len()],
+            clear_before: Vec::new(),
+            clear_after: Vec::new(),
+        }
+    }
+
     pub(super) fn instance_output(
         &mut self,
-        instance: InstanceId,
+        id: circuit::InstanceId,
+        module: ModuleId,
         output: &str,
         width: u32,
     ) -> Net {
-        let Called { id, module, .. } = *self.called(instance);
         let output = self.modules[module].output_named(output).expect("every output has its port");
         self.circuit.port(id, output, width)
     }
@@ -56,6 +66,7 @@ impl Expansion<'_> {
     pub(super) fn call(
         &mut self,
         instance: InstanceId,
+        shape: &Shape,
         power: ExprId,
         arguments: &[(usize, ExprId)],
     ) {
@@ -63,26 +74,33 @@ impl Expansion<'_> {
         for &(port, value) in arguments {
             self.now[index(declared.members[port])] = Some(self.nets[index(value)]);
         }
+        let given = shape.ports.iter().zip(&declared.members).map(|(port, &member)| {
+            let is_read = !port.role.is_inside() && !matches!(port.role, PortRole::Idle { .. });
+            is_read.then(|| self.newest(member))
+        });
+        let given = given.collect();
         let power = self.nets[index(power)];
-        // What the outputs depend on must stand before them.
-        let cleared = std::mem::take(&mut self.called(instance).clear_before);
-        if !cleared.is_empty() {
-            let cleared = self.circuit.or(cleared);
-            self.called(instance).clear_before.push(cleared);
+        let is_second =
+            self.instances[index(instance)].as_ref().is_some_and(|first| first.power.is_some());
+        let (id, module);
+        if is_second {
+            let name = format!("{}_{}", declared.name, shape.block.name);
+            let called = self.instantiate(instance, name, shape);
+            (id, module) = (called.id, called.module);
+            self.partners.push(Called { power: Some(power), given, ..called });
+        } else {
+            // What the outputs depend on must stand before them.
+            let cleared = std::mem::take(&mut self.called(instance, shape).clear_before);
+            let cleared = (!cleared.is_empty()).then(|| self.circuit.or(cleared));
+            let called = self.called(instance, shape);
+            (id, module) = (called.id, called.module);
+            called.clear_before.extend(cleared);
+            called.power = Some(power);
+            called.given = given;
         }
-        for (number, port) in declared.block.ports.iter().enumerate() {
-            let member = declared.members[number];
-            let given = match port.role {
-                PortRole::Circuit if !declared.given[number] => self.circuit.bit(false),
-                PortRole::Circuit | PortRole::Preset { .. } => self.newest(member),
-                PortRole::Output | PortRole::State | PortRole::Memory => continue,
-            };
-            self.called(instance).parameters[number] = Some(given);
-        }
-        self.called(instance).power = Some(power);
-        for (&member, port) in declared.members.iter().zip(declared.block.ports) {
-            if port.role == PortRole::Output {
-                let net = self.instance_output(instance, port.name, port.ty.width());
+        for (&member, port) in declared.members.iter().zip(&shape.ports) {
+            if port.role.is_result() {
+                let net = self.instance_output(id, module, port.name, port.ty.width());
                 self.now[index(member)] = Some(net);
             }
         }
@@ -90,19 +108,20 @@ impl Expansion<'_> {
 
     pub(super) fn reset(&mut self, instance: InstanceId, power: ExprId) {
         let power = self.nets[index(power)];
-        let called = self.called(instance);
-        let list = match called.power {
-            None => &mut called.clear_before,
-            Some(_) => &mut called.clear_after,
-        };
-        list.push(power);
         let declared = &self.program.instances[instance];
-        for (&member, port) in declared.members.iter().zip(declared.block.ports) {
-            if port.role == PortRole::Output {
-                let start = self.program.variables[member].initial;
-                let start = self.circuit.constant(port.ty.bits(start), port.ty.width());
+        if declared.shape.ports.iter().any(|port| port.role.is_inside()) {
+            let called = self.called(instance, &declared.shape);
+            let list = match called.power {
+                None => &mut called.clear_before,
+                Some(_) => &mut called.clear_after,
+            };
+            list.push(power);
+        }
+        for (port, member, value) in declared.cleared(self.program) {
+            if port.role.is_result() {
+                let cleared = self.circuit.constant(port.ty.bits(value), port.ty.width());
                 let off = self.newest(member);
-                self.now[index(member)] = Some(self.circuit.mux(power, start, off));
+                self.now[index(member)] = Some(self.circuit.mux(power, cleared, off));
             }
         }
     }
@@ -110,9 +129,8 @@ impl Expansion<'_> {
     /// Gives an instance its inputs, in the order of its module's ports.
     pub(super) fn connect(&mut self, called: Called) {
         let circuit = &mut self.circuit;
-        let module = &self.modules[called.module];
-        let block = blocks::named(&module.name).expect("a module bears its block's name");
-        let inputs = module
+        let mut given = called.given.iter().flatten();
+        let inputs = self.modules[called.module]
             .inputs
             .iter()
             .map(|input| match &*input.name {
@@ -120,10 +138,8 @@ impl Expansion<'_> {
                 blocks::POWER => called.power.expect("every instance is called"),
                 blocks::CLEAR_BEFORE => any(circuit, &called.clear_before),
                 blocks::CLEAR_AFTER => any(circuit, &called.clear_after),
-                name => {
-                    let port = block.port_named(name).expect("the other inputs are parameters");
-                    called.parameters[port].expect("every parameter has a value at the call")
-                }
+                // The others stand in the order of the ports that they bring.
+                _ => *given.next().expect("every input has a value at the call"),
             })
             .collect();
         circuit.instances[called.id].inputs = inputs;

@@ -3,11 +3,13 @@
 
 mod expansion;
 mod instances;
+mod words;
 
 use std::collections::HashMap;
 
 use la_arena::Arena;
 
+use crate::blocks;
 use crate::circuit::{self, Circuit, Design, ModuleId, Net, RegisterId, Valid};
 use crate::equations::{self, Equations, ExprId};
 use crate::index::index;
@@ -98,7 +100,7 @@ struct Expansion<'p> {
     equations: &'p Equations,
     circuit: Circuit,
     modules: Arena<Circuit>,
-    by_block: HashMap<(&'static str, Vec<i64>), ModuleId>,
+    by_block: HashMap<blocks::Key, ModuleId>,
     /// The net of each expression made so far.
     nets: Vec<Net>,
     /// The newest value of each variable, if this scan has written it.
@@ -107,6 +109,8 @@ struct Expansion<'p> {
     before: Vec<Option<Net>>,
     registers: Vec<(VariableId, RegisterId)>,
     instances: Vec<Option<Called>>,
+    /// Second calls of instances that two kinds share.
+    partners: Vec<Called>,
     /// The last step that writes each variable, if one does.
     last_write: Vec<Option<u32>>,
 }

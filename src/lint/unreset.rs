@@ -1,29 +1,31 @@
 //! A counter or retentive timer that nothing puts back.
 
 use super::index::Index;
-use crate::blocks::PortRole;
 use crate::diagnostic::{Diagnostic, code};
 
-/// The parameters that put a block's value back. A block that has one keeps its value without it.
-const RESETS: &[&str] = &["R", "R1", "LD"];
-
 pub(super) fn check(index: &Index, found: &mut Vec<Diagnostic>) {
-    for call in &index.calls {
+    for call in index.calls() {
         let instance = &index.program.instances[call.instance];
-        let ports = instance.block.ports.iter().zip(&instance.given);
-        let mut resets = ports
-            .filter(|(port, _)| port.role == PortRole::Circuit && RESETS.contains(&port.name))
-            .peekable();
-        let Some((first, _)) = resets.peek() else { continue };
-        let name = first.name;
-        if index.is_reset(call.instance) || resets.any(|(_, given)| *given) {
+        let Some(resets) = (call.shape.block.keeps)(&call.shape) else { continue };
+        let is_used = |name: &&str| {
+            let port = instance.shape.port_named(name).expect("a block keeps until its own ports");
+            instance.given[port] || !index.writes_of(instance.members[port]).is_empty()
+        };
+        if index.is_reset(call.instance) || resets.iter().any(is_used) {
             continue;
         }
-        let message = format!("nothing resets the {} `{}`", instance.block.title, instance.name);
+        let title = call.shape.block.title;
+        let message = format!("nothing resets the {title} `{}`", instance.name);
+        let help = match resets.first() {
+            Some(first) => {
+                format!("give {first}, or reset it in a rung with (R {})", instance.name)
+            }
+            None => format!("reset it in a rung with (R {})", instance.name),
+        };
         found.push(
             Diagnostic::new(code::NEVER_RESET, instance.span, message)
                 .label("keeps its value until the hardware is reset")
-                .help(format!("give {name}, or reset it in a rung with (R {})", instance.name)),
+                .help(help),
         );
     }
 }

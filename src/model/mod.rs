@@ -2,23 +2,28 @@
 
 mod expr;
 mod net;
+mod place;
 
 use std::sync::Arc;
 
 use la_arena::{Arena, Idx};
 
-use crate::blocks::Block;
+use crate::blocks::{Port, Shape};
+use crate::index::index;
 use crate::source::Span;
 use crate::types::Type;
 
 pub use crate::syntax::ast::Edge;
-pub use expr::{BinaryOp, Expr, ExprKind, Relation};
+pub use expr::{BinaryOp, Expr, ExprKind, Function, Relation, convert};
 pub use net::{Connection, Net, Node};
+pub use place::{Base, Elements, Place};
 
 /// One of a program's variables.
 pub type VariableId = Idx<Variable>;
 /// One of a program's block instances.
 pub type InstanceId = Idx<Instance>;
+/// One of a program's arrays: its place in [`Program::arrays`].
+pub type ArrayId = usize;
 
 /// A checked program.
 #[derive(Debug, Default)]
@@ -33,8 +38,13 @@ pub struct Program {
     pub tick_ns: u64,
     /// Everything that holds a value from scan to scan, each element of the state once.
     pub variables: Arena<Variable>,
+    /// The arrays, in the order of their elements among the variables.
+    pub arrays: Vec<Array>,
     /// The block instances in text order of their calls.
     pub instances: Arena<Instance>,
+    /// The dividers that make units of time of the tick. They are called in front of the rungs, and
+    /// the power does not matter to them.
+    pub units: Vec<Call>,
     /// The rungs in text order.
     pub rungs: Vec<Rung>,
     /// The tests in text order.
@@ -49,15 +59,29 @@ impl Program {
         self.variables.iter().filter(move |(_, variable)| variable.role == role)
     }
 
+    /// The array that a variable is an element of, if it is one.
+    pub fn array_of(&self, variable: VariableId) -> Option<ArrayId> {
+        let starts_before = |array: &Array| index(array.elements.first) <= index(variable);
+        let id = self.arrays.partition_point(starts_before).checked_sub(1)?;
+        let Elements { first, length } = self.arrays[id].elements;
+        (index(variable) - index(first) < length as usize).then_some(id)
+    }
+
+    /// True if a program can name the variable.
+    pub fn is_named(&self, variable: &Variable) -> bool {
+        match variable.role {
+            Role::Input | Role::Output | Role::Local => true,
+            Role::Member(instance, port) => {
+                let instance = &self.instances[instance];
+                !instance.is_hidden && instance.shape.ports[port].role.is_member()
+            }
+            Role::EdgeMemory | Role::FirstScan => false,
+        }
+    }
+
     /// Every variable that a user can name, in the order of declarations and calls.
     pub fn named_variables(&self) -> impl Iterator<Item = (VariableId, &Variable)> {
-        self.variables.iter().filter(|(_, variable)| match variable.role {
-            Role::Member(instance, port) => {
-                self.instances[instance].block.ports[port].role.is_member()
-            }
-            Role::Input | Role::Output | Role::Local => true,
-            Role::EdgeMemory | Role::FirstScan => false,
-        })
+        self.variables.iter().filter(|(_, variable)| self.is_named(variable))
     }
 
     /// Keeps the tests that are wanted and numbers their expectations anew.
@@ -89,9 +113,7 @@ impl Program {
         let is_meant = |variable: &Variable, member: bool| {
             *variable.name == *plain
                 && match variable.role {
-                    Role::Member(instance, port) => {
-                        member && self.instances[instance].block.ports[port].role.is_member()
-                    }
+                    Role::Member(..) => member && self.is_named(variable),
                     Role::Input | Role::Output | Role::Local => !member,
                     Role::EdgeMemory | Role::FirstScan => false,
                 }
@@ -123,6 +145,15 @@ pub struct Variable {
     pub span: Span,
 }
 
+/// Variables under one name.
+#[derive(Debug)]
+pub struct Array {
+    /// The user's name.
+    pub name: Arc<str>,
+    /// Its variables; each is named `name[index]`.
+    pub elements: Elements,
+}
+
 /// A name for a value.
 #[derive(Debug)]
 pub struct Constant {
@@ -143,7 +174,7 @@ pub enum Role {
     Output,
     /// Kept inside.
     Local,
-    /// A port of a block instance, by its index in [`Block::ports`].
+    /// A port of a block instance, by its index in [`Shape::ports`].
     Member(InstanceId, usize),
     /// What an edge element saw when it looked last.
     EdgeMemory,
@@ -163,14 +194,33 @@ impl Role {
 pub struct Instance {
     /// The user's name.
     pub name: String,
-    /// Its kind.
-    pub block: &'static Block,
+    /// Its kind, settings and ports. Where two kinds are called on it, the first one's, and a port
+    /// that one of them writes is written.
+    pub shape: Arc<Shape>,
+    /// True for what the program does not name: a divider.
+    pub is_hidden: bool,
+    /// True if a second kind is called on it.
+    pub has_partner: bool,
     /// One variable for each of the block's ports, in their order.
     pub members: Vec<VariableId>,
     /// For each port, whether the call gives it an argument.
     pub given: Vec<bool>,
     /// Where it is called.
     pub span: Span,
+}
+
+impl Instance {
+    /// What `(R name)` makes of each port that it puts back, as the port's variable and its value.
+    pub fn cleared<'p>(
+        &'p self,
+        program: &'p Program,
+    ) -> impl Iterator<Item = (&'p Port, VariableId, i64)> {
+        let ports = self.shape.ports.iter().zip(&self.members);
+        ports.filter(|(port, _)| port.role.is_cleared()).map(|(port, &member)| {
+            let value = port.cleared.unwrap_or(program.variables[member].initial);
+            (port, member, value)
+        })
+    }
 }
 
 /// One rung.
@@ -194,10 +244,10 @@ pub type Series = Vec<Element>;
 pub enum Element {
     /// A wire or an open contact.
     Constant(bool),
-    /// Conducts while the variable is 1, or, negated, while it is 0.
+    /// Conducts while the place is 1, or, negated, while it is 0.
     Contact {
         /// A `BOOL`.
-        variable: VariableId,
+        place: Place,
         /// Normally closed.
         negated: bool,
         /// Its place.
@@ -206,7 +256,7 @@ pub enum Element {
     /// Conducts in the scan of a change.
     Edge {
         /// A `BOOL`.
-        variable: VariableId,
+        place: Place,
         /// Which change.
         edge: Edge,
         /// Of role [`Role::EdgeMemory`], this element's alone.
@@ -227,8 +277,8 @@ pub enum Element {
     Compare(Expr, Span),
     /// Writes a `BOOL` from the power and passes the power on.
     Coil {
-        /// Not an input.
-        target: VariableId,
+        /// A `BOOL`, not of an input.
+        target: Place,
         /// What it writes.
         action: CoilAction,
         /// Its place.
@@ -238,8 +288,8 @@ pub enum Element {
     ResetInstance(InstanceId),
     /// Writes when powered; passes the power on.
     Assign {
-        /// Not an input.
-        target: VariableId,
+        /// Not of an input.
+        target: Place,
         /// Of the target's type.
         value: Expr,
         /// Its place.
@@ -271,14 +321,19 @@ pub enum CoilAction {
 pub struct Call {
     /// Which instance.
     pub instance: InstanceId,
-    /// In text order; a parameter that is not among them keeps its variable's value.
+    /// What is called on it, with the same ports in the same order.
+    pub shape: Arc<Shape>,
+    /// What is handed over in every scan, in text order; a parameter that is not among them keeps
+    /// its variable's value.
     pub arguments: Vec<Argument>,
+    /// What the call gives at reset only: the members' initial values are these already.
+    pub starts: Vec<Argument>,
 }
 
 /// A parameter and what it is given, by the index of the block's port.
 #[derive(Debug)]
 pub struct Argument {
-    /// Index in [`Block::ports`].
+    /// Index in [`Shape::ports`].
     pub port: usize,
     /// What it is given.
     pub value: ArgumentValue,
@@ -309,8 +364,9 @@ pub struct Test {
 /// One statement of a test.
 #[derive(Debug)]
 pub enum Statement {
-    /// Drives an input until it is driven again.
-    Drive(VariableId, i64),
+    /// Drives an input, an element or a bit of one until it is driven again. No index is to be
+    /// worked out.
+    Drive(Place, i64),
     /// Runs that many scans without a tick.
     Scan(u64),
     /// Runs that many scans with a tick each.

@@ -1,26 +1,37 @@
 //! Random programs, as text, that cover the language. One seed is one program.
 
+mod words;
+
 use std::fmt::Write;
 
 use fastrand::Rng;
-use hotrail::blocks::{self, Block, Port, PortRole};
+use hotrail::blocks::{self, Block, Choice, Port, PortRole, Setting, Shape};
 use hotrail::types::Type;
+use words::Array;
 
 const NUMBERS: [&str; 7] = ["INT", "UINT", "DINT", "UDINT", "WORD", "DWORD", "TIME"];
+/// Lengths of the tick in milliseconds: the longer ones let blocks that count seconds count.
+const TICKS: [u64; 8] = [1, 1, 5, 10, 50, 100, 500, 1000];
 const RELATIONS: [&str; 6] = ["=", "<>", "<", "<=", ">", ">="];
 
 /// A program under construction.
 struct Generator {
     random: Rng,
+    has_products: bool,
+    /// The tick in milliseconds.
+    tick: u64,
     /// Names of type `BOOL` that can be read, and those of them that can be written.
     bits: Vec<String>,
     coils: Vec<String>,
     /// Names and types of numbers that can be read, and those that can be written.
     numbers: Vec<(String, &'static str)>,
     targets: Vec<(String, &'static str)>,
+    arrays: Vec<Array>,
     /// Blocks still to be called.
     uncalled: Vec<Uncalled>,
     instances: Vec<String>,
+    /// Instances on which two kinds may be called and one is.
+    paired: Vec<String>,
     /// What is made stands in a connection of a general network.
     in_net: bool,
 }
@@ -28,24 +39,40 @@ struct Generator {
 /// A block that is not called yet.
 struct Uncalled {
     name: String,
-    block: &'static Block,
+    shape: Shape,
+    /// The settings as the call says them.
+    settings: Vec<String>,
     /// For each port, whether the call leaves it to a member.
     left_out: Vec<bool>,
 }
 
 /// The text of the random program of a seed.
 pub fn program(seed: u64) -> String {
+    program_of(seed, true)
+}
+
+/// One without products and quotients, which a solver cannot prove equal bit by bit.
+pub fn program_without_products(seed: u64) -> String {
+    program_of(seed, false)
+}
+
+fn program_of(seed: u64, has_products: bool) -> String {
     let mut generator = Generator {
         random: Rng::with_seed(seed),
+        has_products,
+        tick: 1,
         bits: vec!["first_scan".to_owned()],
         coils: Vec::new(),
         numbers: Vec::new(),
         targets: Vec::new(),
+        arrays: Vec::new(),
         uncalled: Vec::new(),
         instances: Vec::new(),
+        paired: Vec::new(),
         in_net: false,
     };
-    let mut text = format!("ladder random_{seed}\n");
+    generator.tick = generator.pick(&TICKS);
+    let mut text = format!("ladder random_{seed}\ntick {}ms\n", generator.tick);
     generator.declarations(&mut text);
     let rungs = 1 + generator.random.usize(..12);
     for _ in 0..rungs {
@@ -93,6 +120,7 @@ impl Generator {
                     }
                 }
             }
+            self.array(kind, letter, text);
         }
         for index in 0..self.random.usize(..4) {
             self.block(format!("b{index}"));
@@ -101,24 +129,80 @@ impl Generator {
 
     /// Makes a block of any kind, and its members known.
     fn block(&mut self, name: String) {
-        let block = self.pick(blocks::ALL);
-        let left_out: Vec<bool> = block.ports.iter().map(|_| self.chance(3)).collect();
-        for (port, &left_out) in block.ports.iter().zip(&left_out) {
+        let counts = |block: &&'static Block| self.is_whole(block);
+        let known: Vec<&'static Block> = blocks::ALL.iter().copied().filter(counts).collect();
+        let block = self.pick(&known);
+        let (shape, settings) = self.settings(block);
+        let left_out: Vec<bool> = shape.ports.iter().map(|_| self.chance(3)).collect();
+        for (port, &left_out) in shape.ports.iter().zip(&left_out) {
             let member = format!("{name}.{}", port.name);
             if !port.role.is_member() {
                 continue;
             }
+            let is_target = port.role.is_loaded() || left_out && port.role.is_parameter();
             if port.ty == Type::Bool {
+                if is_target {
+                    self.coils.push(member.clone());
+                }
                 self.bits.push(member);
                 continue;
             }
-            if left_out && port.role.is_parameter() {
+            if is_target {
                 self.targets.push((member.clone(), port.ty.name()));
             }
             self.numbers.push((member, port.ty.name()));
         }
-        self.instances.push(name.clone());
-        self.uncalled.push(Uncalled { name, block, left_out });
+        if block.can_reset {
+            self.instances.push(name.clone());
+        }
+        self.uncalled.push(Uncalled { name, shape, settings, left_out });
+    }
+
+    /// True if the tick divides the unit that a block counts.
+    fn is_whole(&self, block: &Block) -> bool {
+        let tick_ns = self.tick * 1_000_000;
+        block.ports.iter().all(|port| match port.role {
+            PortRole::Pulse(unit) => unit.is_multiple_of(tick_ns),
+            _ => true,
+        })
+    }
+
+    /// A block with settings, and what a call says for them.
+    fn settings(&mut self, block: &'static Block) -> (Shape, Vec<String>) {
+        let (mut chosen, mut texts) = (Vec::new(), Vec::new());
+        for Setting { name, choice, .. } in block.settings {
+            let otherwise = choice.otherwise(self.tick * 1_000_000);
+            if let Some(otherwise) = otherwise.filter(|_| self.random.u8(..4) == 0) {
+                chosen.push(otherwise);
+                continue;
+            }
+            let text;
+            chosen.push(match choice {
+                Choice::Word(words) => {
+                    let word = self.random.usize(..words.len());
+                    text = words[word].to_owned();
+                    vec![word as i64]
+                }
+                Choice::Time(lengths, _) => {
+                    let milliseconds = lengths.iter().map(|ns| ns / 1_000_000);
+                    let whole: Vec<u64> =
+                        milliseconds.filter(|ms| ms.is_multiple_of(self.tick)).collect();
+                    let length = self.pick(&whole);
+                    text = format!("{length}ms");
+                    vec![(length / self.tick) as i64]
+                }
+                Choice::List { low, high, most } => {
+                    let items: Vec<i64> = (0..1 + self.random.usize(..*most))
+                        .map(|_| if self.chance(8) { *high } else { self.random.i64(*low..8) })
+                        .collect();
+                    let words: Vec<String> = items.iter().map(i64::to_string).collect();
+                    text = format!("[{}]", words.join(", "));
+                    items
+                }
+            });
+            texts.push(format!("{name} := {text}"));
+        }
+        (Shape::new(block, chosen), texts)
     }
 
     /// A name: mostly plain, sometimes one that hardware cannot take as it is.
@@ -207,7 +291,9 @@ impl Generator {
             1..=2 => {
                 let bits: Vec<String> =
                     self.bits.iter().filter(|bit| *bit != "first_scan").cloned().collect();
+                let inner = if self.chance(4) { self.inner_bit(false) } else { None };
                 let (edge, bit) = (self.pick(&["rise", "fall"]), self.pick(&bits));
+                let bit = inner.unwrap_or(bit);
                 format!("{edge}({bit})")
             }
             3..=4 => {
@@ -220,7 +306,8 @@ impl Generator {
                 format!("[ {} ]", list.join(" | "))
             }
             _ => {
-                let bit = self.pick(&self.bits.clone());
+                let inner = if self.chance(4) { self.inner_bit(false) } else { None };
+                let bit = inner.unwrap_or_else(|| self.pick(&self.bits.clone()));
                 format!("{}{bit}", self.pick(&["", "", "!"]))
             }
         }
@@ -229,7 +316,8 @@ impl Generator {
     fn output(&mut self) -> String {
         match self.random.u32(..12) {
             0..=2 if !self.targets.is_empty() => {
-                let (target, ty) = self.pick(&self.targets.clone());
+                let element = if self.chance(4) { self.target_element() } else { None };
+                let (target, ty) = element.unwrap_or_else(|| self.pick(&self.targets.clone()));
                 let value = self.number(ty, 2);
                 format!("{{ {target} := {value} }}")
             }
@@ -237,7 +325,8 @@ impl Generator {
                 format!("(R {})", self.pick(&self.instances.clone()))
             }
             _ => {
-                let coil = self.pick(&self.coils.clone());
+                let inner = if self.chance(4) { self.inner_bit(true) } else { None };
+                let coil = inner.unwrap_or_else(|| self.pick(&self.coils.clone()));
                 let action = self.pick(&["", "", "", "", "!", "S ", "R ", "rise ", "fall "]);
                 format!("({action}{coil})")
             }
@@ -247,19 +336,31 @@ impl Generator {
     fn call(&mut self) -> String {
         // The last one that was declared or any other: a member may be read above its call.
         let place = self.random.usize(..self.uncalled.len());
-        let Uncalled { name, block, left_out } = self.uncalled.swap_remove(place);
-        let mut arguments = Vec::new();
-        for (port, left_out) in block.ports.iter().zip(left_out) {
-            let value = match port.role {
-                _ if left_out => continue,
-                PortRole::Circuit => format!("[ {} ]", self.looks(1)),
-                PortRole::Preset { low, high } => self.preset(port, low, high),
-                PortRole::Output | PortRole::State | PortRole::Memory => continue,
+        let Uncalled { name, shape, settings, left_out } = self.uncalled.swap_remove(place);
+        let mut arguments = settings;
+        for (port, left_out) in shape.ports.iter().zip(left_out) {
+            if left_out || !port.role.is_parameter() {
+                continue;
+            }
+            let value = match port.role.range() {
+                Some((low, high)) => self.preset(port, low, high),
+                None => format!("[ {} ]", self.looks(1)),
             };
             arguments.push(format!("{} := {value}", port.name));
         }
+        if let Some(partner) = shape.block.partner.filter(|_| !self.paired.contains(&name)) {
+            self.paired.push(name.clone());
+            if self.random.bool() {
+                let partner = blocks::named(partner).unwrap();
+                let shape = Shape::new(partner, shape.chosen.clone());
+                // The first call in the text has said everything.
+                let left_out = vec![true; shape.ports.len()];
+                let (name, settings) = (name.clone(), Vec::new());
+                self.uncalled.push(Uncalled { name, shape, settings, left_out });
+            }
+        }
         self.random.shuffle(&mut arguments);
-        format!("{name}:{}({})", block.name, arguments.join(", "))
+        format!("{name}:{}({})", shape.block.name, arguments.join(", "))
     }
 
     /// A value for a preset: mostly a small constant, so that a short run reaches it.
@@ -275,14 +376,22 @@ impl Generator {
             }
             choice => {
                 let value = if choice == 4 { high } else { self.random.i64(low..low + 6) };
-                if port.ty == Type::Time { format!("{value}ms") } else { value.to_string() }
+                if port.ty == Type::Time { self.time(value) } else { value.to_string() }
             }
         }
     }
 
+    /// So many ticks.
+    fn time(&self, ticks: i64) -> String {
+        format!("{}ms", ticks * self.tick as i64)
+    }
+
     fn literal(&mut self, ty: &str) -> String {
         match ty {
-            "TIME" => format!("{}ms", self.random.u32(..6)),
+            "TIME" => {
+                let ticks = self.random.i64(0..6);
+                self.time(ticks)
+            }
             "INT" => self.pick(&["0", "1", "2", "5", "-1", "32767", "-32768"]).to_owned(),
             "DINT" => self.pick(&["0", "1", "7", "-1", "2147483647", "-2147483648"]).to_owned(),
             "UINT" => self.pick(&["0", "1", "3", "65535"]).to_owned(),
@@ -296,6 +405,12 @@ impl Generator {
         let same: Vec<String> =
             self.numbers.iter().filter(|number| number.1 == ty).map(|n| n.0.clone()).collect();
         let is_pattern = matches!(ty, "WORD" | "DWORD");
+        if depth > 0
+            && self.chance(3)
+            && let Some(worked_out) = self.worked_out(ty, depth)
+        {
+            return worked_out;
+        }
         match self.random.u32(..5) {
             0..=1 if depth > 0 => {
                 let (a, b) = (self.number(ty, depth - 1), self.number(ty, depth - 1));

@@ -7,6 +7,7 @@ pub mod folder;
 pub mod generate;
 pub mod interpreter;
 pub mod proof;
+pub mod relay;
 pub mod shrink;
 
 use std::path::{Path, PathBuf};

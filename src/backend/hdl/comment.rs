@@ -2,6 +2,8 @@
 
 use std::fmt::{self, Write};
 
+use crate::source::is_plain;
+
 /// First words by which tools recognise an order in a comment.
 const ORDERS: [&str; 22] = [
     "altera",
@@ -81,22 +83,6 @@ fn is_order(text: &str) -> bool {
     let text = text.trim_start_matches(|c: char| !c.is_ascii_alphanumeric());
     let word = text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').next();
     word.is_some_and(|word| ORDERS.iter().any(|order| order.eq_ignore_ascii_case(word)))
-}
-
-fn is_plain(c: char) -> bool {
-    !c.is_control()
-        && !matches!(
-            c,
-            '\u{ad}'
-                | '\u{61c}'
-                | '\u{180e}'
-                | '\u{200b}'..='\u{200f}'
-                | '\u{2028}'..='\u{202e}'
-                | '\u{2060}'..='\u{206f}'
-                | '\u{feff}'
-                | '\u{fff9}'..='\u{fffb}'
-                | '\u{e0000}'..='\u{e007f}'
-        )
 }
 
 #[cfg(test)]

@@ -25,6 +25,14 @@ pub(super) enum Kind {
     Add,
     /// `a - b`, of that the bits in `c`.
     Sub,
+    /// `a * b`, of that the bits in `c`.
+    Mul,
+    /// `a / b`, unsigned; 0 where `b` is 0.
+    Div,
+    /// What that division leaves; 0 where `b` is 0.
+    Rem,
+    /// `a` shifted left by the number in `c`, with `b` in the bits that are free then.
+    Join,
     /// All ones if `a` equals `b`, else 0.
     Eq,
     /// All ones if `a` is less than `b`, both unsigned, else 0.
@@ -37,7 +45,7 @@ pub(super) enum Kind {
 
 impl Kind {
     /// Every kind; a kind's place is its number.
-    const ALL: [Kind; 13] = [
+    const ALL: [Kind; 17] = [
         Kind::And,
         Kind::And3,
         Kind::AndNot,
@@ -47,6 +55,10 @@ impl Kind {
         Kind::Mux,
         Kind::Add,
         Kind::Sub,
+        Kind::Mul,
+        Kind::Div,
+        Kind::Rem,
+        Kind::Join,
         Kind::Eq,
         Kind::Less,
         Kind::Shift,
@@ -185,6 +197,10 @@ fn execute<S: Slots>(code: &Code<S::Index>, slots: &mut S) {
             Kind::Mux => each(run, slots, |a, b, c| c ^ (a & (b ^ c))),
             Kind::Add => each(run, slots, |a, b, c| a.wrapping_add(b) & c),
             Kind::Sub => each(run, slots, |a, b, c| a.wrapping_sub(b) & c),
+            Kind::Mul => each(run, slots, |a, b, c| a.wrapping_mul(b) & c),
+            Kind::Div => each(run, slots, |a, b, _| a.checked_div(b).unwrap_or(0)),
+            Kind::Rem => each(run, slots, |a, b, _| a.checked_rem(b).unwrap_or(0)),
+            Kind::Join => each(run, slots, |a, b, c| a << (c & 63) | b),
             Kind::Eq => each(run, slots, |a, b, _| all_ones(a == b)),
             Kind::Less => each(run, slots, |a, b, _| all_ones(a < b)),
             Kind::Shift => each(run, slots, |a, b, c| a >> (b & 63) & c),

@@ -1,5 +1,6 @@
 //! Sixty-four runs at once: a slot holds one bit of each run.
 
+use super::arithmetic;
 use super::assembler::{Assembler, Bit, OFF};
 use super::code::{Copies, Machine, Slot};
 use crate::circuit::{Cell, Circuit, Design, Net, Op, Valid};
@@ -157,15 +158,24 @@ impl Lowering<'_> {
                     assembler.mux(select, bits[0], bits[1])
                 })
             }
-            Op::Add(a, b) => self.add(a, b),
-            Op::Sub(a, b) => self.subtract(a, b, false).0,
+            Op::Add(a, b) => self.arithmetic(a, b, arithmetic::add),
+            Op::Sub(a, b) => self.arithmetic(a, b, |to, a, b| arithmetic::subtract(to, a, b).0),
+            Op::Mul(a, b) => self.arithmetic(a, b, arithmetic::multiply),
+            Op::Div(a, b) => self.arithmetic(a, b, |to, a, b| arithmetic::divide(to, a, b).0),
+            Op::Rem(a, b) => self.arithmetic(a, b, |to, a, b| arithmetic::divide(to, a, b).1),
             Op::Eq(a, b) => {
                 let wide = self.bits(a).len();
                 let differ =
                     self.bitwise(wide, &[a, b], |assembler, bits| assembler.xor(bits[0], bits[1]));
                 vec![self.assembler.any(differ.into_iter()).not()]
             }
-            Op::Less { a, b, signed } => vec![self.subtract(a, b, signed).1],
+            Op::Less { a, b, signed } => {
+                self.arithmetic(a, b, |to, a, b| vec![arithmetic::less(to, a, b, signed)])
+            }
+            Op::Concat(list) => {
+                let parts = self.circuit.list(list).iter().rev();
+                parts.flat_map(|&net| self.bits(net).to_vec()).collect()
+            }
             Op::Extend { from, signed } => {
                 let mut bits = self.bits(from).to_vec();
                 let top = bits[bits.len() - 1];
@@ -174,6 +184,15 @@ impl Lowering<'_> {
             }
             Op::Slice { from, low } => self.bits(from)[low as usize..][..width].to_vec(),
         }
+    }
+
+    fn arithmetic(
+        &mut self,
+        a: Net,
+        b: Net,
+        op: impl Fn(&mut Assembler, &[Bit], &[Bit]) -> Vec<Bit>,
+    ) -> Vec<Bit> {
+        op(&mut self.assembler, &self.nets[index(a)], &self.nets[index(b)])
     }
 
     fn bitwise(
@@ -187,36 +206,5 @@ impl Lowering<'_> {
             op(&mut self.assembler, bits)
         };
         (0..width).map(of_bit).collect()
-    }
-
-    fn add(&mut self, a: Net, b: Net) -> Vec<Bit> {
-        let mut carry = OFF;
-        let pairs: Vec<(Bit, Bit)> =
-            self.bits(a).iter().copied().zip(self.bits(b).iter().copied()).collect();
-        let mut sum = Vec::new();
-        for (a, b) in pairs {
-            let differ = self.assembler.xor(a, b);
-            sum.push(self.assembler.xor(differ, carry));
-            carry = self.assembler.mux(differ, carry, a);
-        }
-        sum
-    }
-
-    /// The difference, and whether the first is less than the second.
-    fn subtract(&mut self, a: Net, b: Net, signed: bool) -> (Vec<Bit>, Bit) {
-        let mut borrow = OFF;
-        let mut pairs: Vec<(Bit, Bit)> =
-            self.bits(a).iter().copied().zip(self.bits(b).iter().copied()).collect();
-        if let (true, Some((a, b))) = (signed, pairs.last_mut()) {
-            // With their top bits inverted, numbers with a sign are in the order of those without.
-            (*a, *b) = (a.not(), b.not());
-        }
-        let mut difference = Vec::new();
-        for (a, b) in pairs {
-            let differ = self.assembler.xor(a, b);
-            difference.push(self.assembler.xor(differ, borrow));
-            borrow = self.assembler.mux(differ, b, borrow);
-        }
-        (difference, borrow)
     }
 }

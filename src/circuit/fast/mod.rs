@@ -4,6 +4,7 @@
 //! Both keep a condition, a net of one bit, as a slot with all its 64 bits: in one run they are
 //! all the same, in 64 runs each bit is a run. So the logic of conditions is one code for both.
 
+mod arithmetic;
 mod assembler;
 mod code;
 mod lanes;

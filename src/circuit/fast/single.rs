@@ -174,7 +174,7 @@ impl Lowering<'_> {
     fn condition(&mut self, cell: Cell) -> Bit {
         let circuit = self.circuit;
         match cell.op {
-            Op::Input(_) | Op::Register(_) | Op::Port(..) | Op::Extend { .. } => {
+            Op::Input(_) | Op::Register(_) | Op::Port(..) | Op::Extend { .. } | Op::Concat(_) => {
                 unreachable!("given, not in a flat circuit, or wider than one bit")
             }
             Op::Const(bits) => Bit { inverted: bits == 1, ..OFF },
@@ -190,6 +190,11 @@ impl Lowering<'_> {
             Op::Xor(a, b) | Op::Add(a, b) | Op::Sub(a, b) => {
                 self.assembler.xor(self.bit(a), self.bit(b))
             }
+            // One bit divided by 0 is 0, by 1 itself, and leaves nothing.
+            Op::Mul(a, b) | Op::Div(a, b) => {
+                self.assembler.all([self.bit(a), self.bit(b)].into_iter())
+            }
+            Op::Rem(..) => OFF,
             Op::Eq(a, b) => self.assembler.xor(self.bit(a), self.bit(b)).not(),
             Op::Mux { select, on, off } => {
                 self.assembler.mux(self.bit(select), self.bit(on), self.bit(off))
@@ -238,6 +243,19 @@ impl Lowering<'_> {
                 let (a, b) = (self.slot(a), self.slot(b));
                 self.assembler.emit(Kind::Sub, [a, b, ones])
             }
+            Op::Mul(a, b) => {
+                let (a, b) = (self.slot(a), self.slot(b));
+                self.assembler.emit(Kind::Mul, [a, b, ones])
+            }
+            Op::Div(a, b) => {
+                let (a, b) = (self.slot(a), self.slot(b));
+                self.assembler.emit2(Kind::Div, a, b)
+            }
+            Op::Rem(a, b) => {
+                let (a, b) = (self.slot(a), self.slot(b));
+                self.assembler.emit2(Kind::Rem, a, b)
+            }
+            Op::Concat(list) => self.concat(circuit.list(list)),
             Op::Extend { from, signed } => self.extend(from, signed, ones),
             Op::Slice { from, low } => {
                 let (from, low) = (self.slot(from), self.assembler.constant(low.into()));
@@ -249,6 +267,24 @@ impl Lowering<'_> {
     fn fold(&mut self, list: &[Net], kind: Kind) -> Slot {
         let slots: Vec<Slot> = list.iter().map(|&net| self.slot(net)).collect();
         let joined = slots.into_iter().reduce(|a, b| self.assembler.emit2(kind, a, b));
+        joined.expect("a list has two operands or more")
+    }
+
+    fn concat(&mut self, list: &[Net]) -> Slot {
+        let one = self.assembler.constant(1);
+        let mut joined = None;
+        for &net in list {
+            let mut part = self.slot(net);
+            let width = self.circuit.width(net);
+            if width == 1 {
+                part = self.assembler.emit2(Kind::And, part, one);
+            }
+            let by = self.assembler.constant(width.into());
+            joined = Some(match joined {
+                None => part,
+                Some(high) => self.assembler.emit(Kind::Join, [high, part, by]),
+            });
+        }
         joined.expect("a list has two operands or more")
     }
 

@@ -68,10 +68,10 @@ impl<'p> Explainer<'_, 'p> {
         let scene = self.scene(&detail);
         let program = self.why.program;
         let instance = &program.instances[call.instance];
-        let shown = instance.members.iter().zip(instance.block.ports);
+        let shown = instance.members.iter().zip(&instance.shape.ports);
         let shown = shown.filter(|(member, port)| port.role.is_member() && **member != id);
         let members = shown
-            .map(|(&member, port)| (port.name.to_owned(), port.ty, scene.value(member, visit.end)))
+            .map(|(&member, port)| (port.name.to_string(), port.ty, scene.value(member, visit.end)))
             .collect();
         let since = by.call.and_then(|number| self.why.trace.power_since(number, scan));
         Power { is_on: visit.power, since, members }
@@ -90,7 +90,7 @@ impl<'p> Explainer<'_, 'p> {
         let before: Vec<i64> = instance
             .members
             .iter()
-            .zip(instance.block.ports)
+            .zip(&instance.shape.ports)
             .map(|(&member, port)| {
                 let until = if port.role.is_parameter() { visit.end } else { visit.start };
                 scene.value(member, until)
@@ -98,8 +98,8 @@ impl<'p> Explainer<'_, 'p> {
             .collect();
         let tick = self.why.trace.tick(scan);
         let call_with = |power: bool, tick: bool, mut values: Vec<i64>| {
-            let block = instance.block;
-            (block.step)(&mut Step { block, power, tick, values: &mut values });
+            let shape = &*call.shape;
+            (shape.block.step)(&mut Step { shape, power, tick, values: &mut values });
             values
         };
         let result = |power: bool, values: Vec<i64>| call_with(power, tick, values)[shown];

@@ -7,7 +7,7 @@ use super::power::Scene;
 use super::sites::Site;
 use super::{Cause, Place, Reason, Subject, Why};
 use crate::eval::recorder::Recording;
-use crate::model::{CoilAction, Edge, Element, Expr, ExprKind, Role, Variable, VariableId};
+use crate::model::{self, CoilAction, Edge, Element, Expr, Role, Variable, VariableId};
 use crate::source::Span;
 use crate::types::Type;
 
@@ -54,12 +54,7 @@ impl<'w, 'p> Explainer<'w, 'p> {
     where
         'w: 'a,
     {
-        Scene {
-            program: self.why.program,
-            sites: &self.why.sites,
-            recording: &scan.recording,
-            start: &scan.start,
-        }
+        Scene { sites: &self.why.sites, recording: &scan.recording, start: &scan.start }
     }
 
     /// Why a variable is what it is in a scan when so much has been written, or at its end.
@@ -124,7 +119,7 @@ impl<'w, 'p> Explainer<'w, 'p> {
             match role {
                 Role::Member(_, port)
                     if !self.why.program.instances[call.instance].given[*port]
-                        && self.why.program.instances[call.instance].block.ports[*port]
+                        && self.why.program.instances[call.instance].shape.ports[*port]
                             .role
                             .is_parameter() =>
                 {
@@ -246,15 +241,21 @@ impl<'w, 'p> Explainer<'w, 'p> {
             causes,
         };
         match site.element {
-            Element::Contact { variable, negated, .. } => {
-                let looks = std::mem::replace(&mut self.blames_idle_coils, !negated);
-                let cause = self.variable(*variable, scan, Some(visit.start), depth);
-                self.blames_idle_coils = looks;
-                cause
-            }
-            Element::Edge { variable, .. } => {
-                let cause = self.variable(*variable, scan, Some(visit.start), depth);
-                condition(self, self.text(site.element), vec![cause])
+            Element::Contact { place, negated, .. } => match place.as_variable() {
+                Some(variable) => {
+                    let looks = std::mem::replace(&mut self.blames_idle_coils, !negated);
+                    let cause = self.variable(variable, scan, Some(visit.start), depth);
+                    self.blames_idle_coils = looks;
+                    cause
+                }
+                None => {
+                    let causes = self.looked_at(place, site, scan, depth);
+                    condition(self, self.text(site.element), causes)
+                }
+            },
+            Element::Edge { place, .. } => {
+                let causes = self.looked_at(place, site, scan, depth);
+                condition(self, self.text(site.element), causes)
             }
             Element::Compare(expr, _) => {
                 let causes = self.reads(expr, site, scan, None, depth);
@@ -270,7 +271,7 @@ impl<'w, 'p> Explainer<'w, 'p> {
             }
             Element::Call(call) => {
                 let instance = &self.why.program.instances[call.instance];
-                let main = instance.block.main_port().expect("it makes power");
+                let main = call.shape.main_port().expect("it makes power");
                 self.variable(instance.members[main], scan, Some(visit.end), depth)
             }
             Element::Constant(_)
@@ -283,6 +284,21 @@ impl<'w, 'p> Explainer<'w, 'p> {
         }
     }
 
+    /// Why the variable of a place is what it is, and its index.
+    fn looked_at(
+        &mut self,
+        place: &model::Place,
+        site: Site<'p>,
+        scan: usize,
+        depth: usize,
+    ) -> Vec<Cause> {
+        let mut read = Vec::new();
+        let detail = self.scan(scan);
+        let start = detail.recording.visit(site.element).start;
+        self.scene(&detail).variables_of(place, start, &mut read);
+        read.into_iter().map(|id| self.variable(id, scan, Some(start), depth)).collect()
+    }
+
     /// The variables that an expression reads. What it adds to itself is shown, not explained:
     /// it would be the same story again.
     fn reads(
@@ -293,14 +309,15 @@ impl<'w, 'p> Explainer<'w, 'p> {
         itself: Option<VariableId>,
         depth: usize,
     ) -> Vec<Cause> {
-        let until = self.scan(scan).recording.visit(site.element).start;
+        let detail = self.scan(scan);
+        let start = detail.recording.visit(site.element).start;
         let mut read = Vec::new();
-        variables(expr, &mut read);
+        self.scene(&detail).variables(expr, start, &mut read);
         let mut seen = HashSet::new();
         read.retain(|id| seen.insert(*id));
         let explain = |id| {
             let depth = if itself == Some(id) { 0 } else { depth };
-            self.variable(id, scan, Some(until), depth)
+            self.variable(id, scan, Some(start), depth)
         };
         read.into_iter().map(explain).collect()
     }
@@ -325,9 +342,9 @@ impl<'w, 'p> Explainer<'w, 'p> {
             return crate::diagnostic::shortened(&words.join(" ")).into_owned();
         }
         match element {
-            Element::Edge { variable, edge, .. } => {
+            Element::Edge { place, edge, .. } => {
                 let word = if *edge == Edge::Rise { "rise" } else { "fall" };
-                format!("{word}({})", program.variables[*variable].name)
+                format!("{word}({})", place.name(program))
             }
             Element::OneShot { edge: Edge::Rise, .. } => "rising".to_owned(),
             Element::OneShot { edge: Edge::Fall, .. } => "falling".to_owned(),
@@ -339,7 +356,7 @@ impl<'w, 'p> Explainer<'w, 'p> {
             }
             Element::Call(call) => {
                 let instance = &program.instances[call.instance];
-                format!("{}:{}", instance.name, instance.block.name)
+                format!("{}:{}", instance.name, call.shape.block.name)
             }
             Element::Net(_) => "net".to_owned(),
             Element::Parallel(_)
@@ -366,17 +383,5 @@ fn span(element: &Element) -> Option<Span> {
         | Element::ResetInstance(_)
         | Element::Call(_)
         | Element::Net(_) => None,
-    }
-}
-
-fn variables(expr: &Expr, read: &mut Vec<VariableId>) {
-    match &expr.kind {
-        ExprKind::Constant(_) => {}
-        ExprKind::Read(variable) => read.push(*variable),
-        ExprKind::Not(operand) => variables(operand, read),
-        ExprKind::Binary(_, a, b) | ExprKind::Compare(_, a, b) => {
-            variables(a, read);
-            variables(b, read);
-        }
     }
 }

@@ -3,11 +3,10 @@
 use super::sites::{Site, Sites};
 use crate::eval::recorder::Recording;
 use crate::index::index;
-use crate::model::{Connection, Edge, Element, Net, Program, VariableId};
+use crate::model::{Connection, Edge, Element, Expr, ExprKind, Net, Place, VariableId};
 
 /// One scan, seen element by element.
 pub(super) struct Scene<'a, 'p> {
-    pub(super) program: &'p Program,
     pub(super) sites: &'a Sites<'p>,
     pub(super) recording: &'a Recording,
     /// What every variable held when the scan began.
@@ -20,6 +19,23 @@ impl<'p> Scene<'_, 'p> {
         match self.recording.last_write(variable, until) {
             Some(write) => self.recording.writes[write].value,
             None => self.start[index(variable)],
+        }
+    }
+
+    /// The variables that an expression reads when so much has been written: of an array the
+    /// elements that are meant then.
+    pub(super) fn variables(&self, expr: &Expr, until: usize, read: &mut Vec<VariableId>) {
+        match &expr.kind {
+            ExprKind::Read(place) => self.variables_of(place, until, read),
+            _ => expr.parts().into_iter().for_each(|part| self.variables(part, until, read)),
+        }
+    }
+
+    /// The variable of a place, and those of its index.
+    pub(super) fn variables_of(&self, place: &Place, until: usize, read: &mut Vec<VariableId>) {
+        read.extend(place.variable(&|variable| self.value(variable, until)));
+        if let Some(index) = place.index() {
+            self.variables(index, until, read);
         }
     }
 
@@ -94,11 +110,11 @@ impl<'p> Scene<'_, 'p> {
         let visit = self.recording.visit(element);
         match element {
             Element::Constant(value) => *value,
-            Element::Contact { variable, negated, .. } => {
-                (self.value(*variable, visit.start) != 0) != *negated
+            Element::Contact { place, negated, .. } => {
+                (place.value(&|v| self.value(v, visit.start)) != 0) != *negated
             }
-            Element::Edge { variable, edge, memory } => {
-                let now = self.value(*variable, visit.start) != 0;
+            Element::Edge { place, edge, memory } => {
+                let now = place.value(&|v| self.value(v, visit.start)) != 0;
                 let before = self.value(*memory, visit.start) != 0;
                 match edge {
                     Edge::Rise => now && !before,
@@ -178,9 +194,7 @@ impl<'p> Scene<'_, 'p> {
     fn makes_power(&self, element: &Element) -> bool {
         match element {
             Element::OneShot { .. } | Element::Invert => true,
-            Element::Call(call) => {
-                self.program.instances[call.instance].block.main_port().is_some()
-            }
+            Element::Call(call) => call.shape.main_port().is_some(),
             Element::Constant(_)
             | Element::Contact { .. }
             | Element::Edge { .. }

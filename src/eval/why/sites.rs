@@ -28,7 +28,7 @@ pub(super) struct Site<'p> {
 pub(super) struct Sites<'p> {
     all: Vec<Site<'p>>,
     by_place: HashMap<Place, SiteId>,
-    /// The set coils of each variable that has one.
+    /// The set coils of each variable that has one; those on bits and elements are not followed.
     setters: HashMap<VariableId, Vec<SiteId>>,
     calls: usize,
 }
@@ -84,7 +84,9 @@ impl<'p> Sites<'p> {
                     }
                 }
                 Element::Coil { target, action: CoilAction::Set, .. } => {
-                    self.setters.entry(*target).or_default().push(id);
+                    if let Some(variable) = target.as_variable() {
+                        self.setters.entry(variable).or_default().push(id);
+                    }
                 }
                 Element::Constant(_)
                 | Element::Contact { .. }

@@ -1,0 +1,155 @@
+// Made by hotrail 0.1.0 from microwave.ladder. Do not edit: change the ladder and build again.
+
+`default_nettype none
+
+// The blocks stand in the program's file.
+/* verilator lint_off DECLFILENAME */
+
+// TONR: retentive on-delay timer
+// PT = 3
+// IN  _##_###____######
+// R   _________#___#___
+// Q   ______###_______#
+// ET  00111233300010123
+module microwave_TONR_PT900 (
+  input  wire clk,
+  input  wire rst,
+  input  wire tick,
+  input  wire power,
+  input  wire R,
+  output wire Q,
+  output wire Q_last
+);
+  reg Q_reg = 1'b0;
+  reg [31:0] ET = 32'd0;
+  reg was = 1'b0;
+
+  wire less = $signed(ET) < 32'sd900;
+  wire [31:0] sum = ET + {31'b0, power & was & tick & less};
+  wire [31:0] ET_next = R ? 32'd0 : sum;
+  wire at_least = $signed(ET_next) >= 32'sd900;
+  wire Q_next = ~R & at_least;
+
+  assign Q = Q_next;
+  assign Q_last = Q_reg;
+
+  always @(posedge clk) begin
+    if (rst) begin
+      Q_reg <= 1'b0;
+      ET <= 32'd0;
+      was <= 1'b0;
+    end else begin
+      Q_reg <= Q_next;
+      ET <= ET_next;
+      was <= power;
+    end
+  end
+endmodule
+
+// TOF: off-delay timer
+// PT = 3
+// IN  _##_____#__#_____
+// Q   _#####__#######__
+// ET  00001233001001233
+module microwave_TOF_PT30 (
+  input  wire clk,
+  input  wire rst,
+  input  wire tick,
+  input  wire power,
+  output wire Q
+);
+  reg [31:0] ET = 32'd0;
+  reg run = 1'b0;
+  reg was = 1'b0;
+
+  wire less = $signed(ET) < 32'sd30;
+  wire [31:0] sum = ET + {31'b0, tick & less};
+  wire [31:0] choice = was ? 32'd0 : sum;
+  wire less_2 = $signed(choice) < 32'sd30;
+  wire [31:0] choice_2 = run ? choice : ET;
+  wire [31:0] ET_next = power ? 32'd0 : choice_2;
+  wire run_next = power | run & less_2;
+
+  assign Q = run_next;
+
+  always @(posedge clk) begin
+    if (rst) begin
+      ET <= 32'd0;
+      run <= 1'b0;
+      was <= 1'b0;
+    end else begin
+      ET <= ET_next;
+      run <= run_next;
+      was <= power;
+    end
+  end
+endmodule
+
+module microwave (
+  input  wire clk,
+  input  wire rst,
+  input  wire tick,
+  input  wire start,
+  input  wire cancel,
+  input  wire door,
+  input  wire foam,
+  output wire magnetron,
+  output wire turntable,
+  output wire ready
+);
+  reg start_before = 1'b0;
+  reg turntable_reg = 1'b0;
+  reg magnetron_reg = 1'b0;
+  reg ready_reg = 1'b0;
+
+  // rung 1 "cook until the time is up or somebody wants the bowl", microwave.ladder:13
+  wire done_Q;
+  wire done_Q_last;
+  wire turntable_next =
+      (start & ~start_before & ~done_Q_last | turntable_reg) & door & ~cancel & ~done_Q_last;
+
+  // rung 2 "the foam needs three seconds to sink", microwave.ladder:16
+  wire sinking_Q;
+  microwave_TOF_PT30 sinking (
+    .clk(clk),
+    .rst(rst),
+    .tick(tick),
+    .power(foam),
+    .Q(sinking_Q)
+  );
+  wire magnetron_next = ~sinking_Q & turntable_next;
+
+  // rung 3 "a minute and a half of power, in all", microwave.ladder:19
+  wire done_R = cancel | done_Q_last & ~door;
+  microwave_TONR_PT900 done (
+    .clk(clk),
+    .rst(rst),
+    .tick(tick),
+    .power(magnetron_next),
+    .R(done_R),
+    .Q(done_Q),
+    .Q_last(done_Q_last)
+  );
+  wire ready_next = done_Q;
+
+  assign magnetron = magnetron_reg;
+  assign turntable = turntable_reg;
+  assign ready = ready_reg;
+
+  always @(posedge clk) begin
+    if (rst) begin
+      start_before <= 1'b0;
+      turntable_reg <= 1'b0;
+      magnetron_reg <= 1'b0;
+      ready_reg <= 1'b0;
+    end else begin
+      start_before <= start;
+      turntable_reg <= turntable_next;
+      magnetron_reg <= magnetron_next;
+      ready_reg <= ready_next;
+    end
+  end
+endmodule
+/* verilator lint_on DECLFILENAME */
+
+`default_nettype wire

@@ -1,0 +1,127 @@
+// Made by hotrail 0.1.0 from part_counter.ladder. Do not edit: change the ladder and build again.
+
+`default_nettype none
+
+// The blocks stand in the program's file.
+/* verilator lint_off DECLFILENAME */
+
+// TON: on-delay timer
+// PT = 3
+// IN  _#######__###__##_
+// Q   ____####__________
+// ET  001233330001200010
+module part_counter_TON_PT5 (
+  input  wire clk,
+  input  wire rst,
+  input  wire tick,
+  input  wire power,
+  output wire Q
+);
+  reg [31:0] ET = 32'd0;
+  reg was = 1'b0;
+
+  wire less = $signed(ET) < 32'sd5;
+  wire [31:0] sum = ET + {31'b0, tick & less};
+  wire [31:0] ET_next = (power & was) ? sum : 32'd0;
+  wire at_least = $signed(ET_next) >= 32'sd5;
+
+  assign Q = power & at_least;
+
+  always @(posedge clk) begin
+    if (rst) begin
+      ET <= 32'd0;
+      was <= 1'b0;
+    end else begin
+      ET <= ET_next;
+      was <= power;
+    end
+  end
+endmodule
+
+// CTU: up counter
+// PV = 2
+// IN  _#_##_#_#__#_#_
+// R   _________##____
+// Q   ___######____##
+// CV  011222334001122
+module part_counter_CTU_PV5 (
+  input  wire        clk,
+  input  wire        rst,
+  input  wire        power,
+  input  wire        R,
+  output wire        Q,
+  output wire [15:0] CV
+);
+  reg [15:0] CV_reg = 16'd0;
+  reg was = 1'b0;
+
+  wire unequal = CV_reg != 16'd32767;
+  wire [15:0] sum = CV_reg + {15'b0, power & ~was & unequal};
+  wire [15:0] CV_next = R ? 16'd0 : sum;
+
+  assign Q = $signed(CV_next) >= 16'sd5;
+  assign CV = CV_next;
+
+  always @(posedge clk) begin
+    if (rst) begin
+      CV_reg <= 16'd0;
+      was <= 1'b0;
+    end else begin
+      CV_reg <= CV_next;
+      was <= power;
+    end
+  end
+endmodule
+
+module part_counter (
+  input  wire        clk,
+  input  wire        rst,
+  input  wire        tick,
+  input  wire        part_at_machine,
+  input  wire        clear,
+  output wire [15:0] parts,
+  output wire        batch_full
+);
+  reg [15:0] parts_reg = 16'd0;
+  reg batch_full_reg = 1'b0;
+
+  // rung 1 "a part is one that stays for half a second", part_counter.ladder:12
+  wire present_Q;
+  part_counter_TON_PT5 present (
+    .clk(clk),
+    .rst(rst),
+    .tick(tick),
+    .power(part_at_machine),
+    .Q(present_Q)
+  );
+  wire count_Q;
+  wire [15:0] count_CV;
+  part_counter_CTU_PV5 count (
+    .clk(clk),
+    .rst(rst),
+    .power(present_Q),
+    .R(clear),
+    .Q(count_Q),
+    .CV(count_CV)
+  );
+  wire batch_full_next = count_Q;
+
+  // rung 2 "show the count", part_counter.ladder:15
+  wire [15:0] parts_next = count_CV;
+
+  assign parts = parts_reg;
+  assign batch_full = batch_full_reg;
+
+  always @(posedge clk) begin
+    if (rst) begin
+      parts_reg <= 16'd0;
+      batch_full_reg <= 1'b0;
+    end else begin
+      parts_reg <= parts_next;
+      batch_full_reg <= batch_full_next;
+    end
+  end
+endmodule
+/* verilator lint_on DECLFILENAME */
+
+`default_nettype wire

@@ -1,0 +1,164 @@
+-- Made by hotrail 0.1.0 from part_counter.ladder. Do not edit: change the ladder and build again.
+
+-- TON: on-delay timer
+-- PT = 3
+-- IN  _#######__###__##_
+-- Q   ____####__________
+-- ET  001233330001200010
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity part_counter_TON_PT5 is
+  port (
+    clk   : in  std_logic;
+    rst   : in  std_logic;
+    tick  : in  std_logic;
+    power : in  std_logic;
+    Q     : out std_logic
+  );
+end entity part_counter_TON_PT5;
+
+architecture rtl of part_counter_TON_PT5 is
+  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal was : std_logic := '0';
+  signal less : std_logic;
+  signal sum : unsigned(31 downto 0);
+  signal ET_next : unsigned(31 downto 0);
+  signal at_least : std_logic;
+begin
+  less <= '1' when signed(ET) < 5 else '0';
+  sum <= ET + (to_unsigned(0, 31) & (tick and less));
+  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
+  at_least <= '1' when signed(ET_next) >= 5 else '0';
+
+  Q <= power and at_least;
+
+  process (clk)
+  begin
+    if rising_edge(clk) then
+      if rst = '1' then
+        ET <= (others => '0');
+        was <= '0';
+      else
+        ET <= ET_next;
+        was <= power;
+      end if;
+    end if;
+  end process;
+end architecture rtl;
+
+-- CTU: up counter
+-- PV = 2
+-- IN  _#_##_#_#__#_#_
+-- R   _________##____
+-- Q   ___######____##
+-- CV  011222334001122
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity part_counter_CTU_PV5 is
+  port (
+    clk   : in  std_logic;
+    rst   : in  std_logic;
+    power : in  std_logic;
+    R     : in  std_logic;
+    Q     : out std_logic;
+    CV    : out unsigned(15 downto 0)
+  );
+end entity part_counter_CTU_PV5;
+
+architecture rtl of part_counter_CTU_PV5 is
+  signal CV_reg : unsigned(15 downto 0) := (others => '0');
+  signal was : std_logic := '0';
+  signal unequal : std_logic;
+  signal sum : unsigned(15 downto 0);
+  signal CV_next : unsigned(15 downto 0);
+begin
+  unequal <= '1' when CV_reg /= 32767 else '0';
+  sum <= CV_reg + (to_unsigned(0, 15) & (power and not was and unequal));
+  CV_next <= to_unsigned(0, 16) when R = '1' else sum;
+
+  Q <= '1' when signed(CV_next) >= 5 else '0';
+  CV <= CV_next;
+
+  process (clk)
+  begin
+    if rising_edge(clk) then
+      if rst = '1' then
+        CV_reg <= (others => '0');
+        was <= '0';
+      else
+        CV_reg <= CV_next;
+        was <= power;
+      end if;
+    end if;
+  end process;
+end architecture rtl;
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity part_counter is
+  port (
+    clk             : in  std_logic;
+    rst             : in  std_logic;
+    tick            : in  std_logic;
+    part_at_machine : in  std_logic;
+    clear           : in  std_logic;
+    parts           : out std_logic_vector(15 downto 0);
+    batch_full      : out std_logic
+  );
+end entity part_counter;
+
+architecture rtl of part_counter is
+  signal parts_reg : unsigned(15 downto 0) := (others => '0');
+  signal batch_full_reg : std_logic := '0';
+  signal present_Q : std_logic;
+  signal count_Q : std_logic;
+  signal count_CV : unsigned(15 downto 0);
+  signal batch_full_next : std_logic;
+  signal parts_next : unsigned(15 downto 0);
+begin
+
+  -- rung 1 "a part is one that stays for half a second", part_counter.ladder:12
+  present: entity work.part_counter_TON_PT5
+    port map (
+      clk => clk,
+      rst => rst,
+      tick => tick,
+      power => part_at_machine,
+      Q => present_Q
+    );
+  count: entity work.part_counter_CTU_PV5
+    port map (
+      clk => clk,
+      rst => rst,
+      power => present_Q,
+      R => clear,
+      Q => count_Q,
+      CV => count_CV
+    );
+  batch_full_next <= count_Q;
+
+  -- rung 2 "show the count", part_counter.ladder:15
+  parts_next <= count_CV;
+
+  parts <= std_logic_vector(parts_reg);
+  batch_full <= batch_full_reg;
+
+  process (clk)
+  begin
+    if rising_edge(clk) then
+      if rst = '1' then
+        parts_reg <= (others => '0');
+        batch_full_reg <= '0';
+      else
+        parts_reg <= parts_next;
+        batch_full_reg <= batch_full_next;
+      end if;
+    end if;
+  end process;
+end architecture rtl;

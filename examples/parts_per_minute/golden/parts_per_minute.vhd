@@ -1,0 +1,169 @@
+-- Made by hotrail 0.1.0 from parts_per_minute.ladder. Do not edit: change the ladder and build again.
+
+-- TON: on-delay timer
+-- PT = 3
+-- IN  _#######__###__##_
+-- Q   ____####__________
+-- ET  001233330001200010
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity parts_per_minute_TON_PT60 is
+  port (
+    clk   : in  std_logic;
+    rst   : in  std_logic;
+    tick  : in  std_logic;
+    power : in  std_logic;
+    Q     : out std_logic
+  );
+end entity parts_per_minute_TON_PT60;
+
+architecture rtl of parts_per_minute_TON_PT60 is
+  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal was : std_logic := '0';
+  signal less : std_logic;
+  signal sum : unsigned(31 downto 0);
+  signal ET_next : unsigned(31 downto 0);
+  signal at_least : std_logic;
+begin
+  less <= '1' when signed(ET) < 60 else '0';
+  sum <= ET + (to_unsigned(0, 31) & (tick and less));
+  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
+  at_least <= '1' when signed(ET_next) >= 60 else '0';
+
+  Q <= power and at_least;
+
+  process (clk)
+  begin
+    if rising_edge(clk) then
+      if rst = '1' then
+        ET <= (others => '0');
+        was <= '0';
+      else
+        ET <= ET_next;
+        was <= power;
+      end if;
+    end if;
+  end process;
+end architecture rtl;
+
+-- CTU: up counter
+-- PV = 2
+-- IN  _#_##_#_#__#_#_
+-- R   _________##____
+-- Q   ___######____##
+-- CV  011222334001122
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity parts_per_minute_CTU_PV0 is
+  port (
+    clk   : in  std_logic;
+    rst   : in  std_logic;
+    power : in  std_logic;
+    R     : in  std_logic;
+    CV    : out unsigned(15 downto 0)
+  );
+end entity parts_per_minute_CTU_PV0;
+
+architecture rtl of parts_per_minute_CTU_PV0 is
+  signal CV_reg : unsigned(15 downto 0) := (others => '0');
+  signal was : std_logic := '0';
+  signal unequal : std_logic;
+  signal sum : unsigned(15 downto 0);
+  signal CV_next : unsigned(15 downto 0);
+begin
+  unequal <= '1' when CV_reg /= 32767 else '0';
+  sum <= CV_reg + (to_unsigned(0, 15) & (power and not was and unequal));
+  CV_next <= to_unsigned(0, 16) when R = '1' else sum;
+
+  CV <= CV_next;
+
+  process (clk)
+  begin
+    if rising_edge(clk) then
+      if rst = '1' then
+        CV_reg <= (others => '0');
+        was <= '0';
+      else
+        CV_reg <= CV_next;
+        was <= power;
+      end if;
+    end if;
+  end process;
+end architecture rtl;
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity parts_per_minute is
+  port (
+    clk    : in  std_logic;
+    rst    : in  std_logic;
+    tick   : in  std_logic;
+    sensor : in  std_logic;
+    S      : in  std_logic;
+    parts  : out std_logic_vector(15 downto 0);
+    done   : out std_logic
+  );
+end entity parts_per_minute;
+
+architecture rtl of parts_per_minute is
+  signal sensor_before : std_logic := '0';
+  signal parts_reg : unsigned(15 downto 0) := (others => '0');
+  signal done_reg : std_logic := '0';
+  signal minute_Q : std_logic;
+  signal done_next : std_logic;
+  signal count_power : std_logic;
+  signal count_R : std_logic;
+  signal count_CV : unsigned(15 downto 0);
+  signal parts_next : unsigned(15 downto 0);
+begin
+
+  -- rung 1 "the minute", parts_per_minute.ladder:11
+  minute: entity work.parts_per_minute_TON_PT60
+    port map (
+      clk => clk,
+      rst => rst,
+      tick => tick,
+      power => S,
+      Q => minute_Q
+    );
+  done_next <= minute_Q;
+
+  -- rung 2 "parts in it", parts_per_minute.ladder:14
+  count_power <= sensor and not sensor_before and S and not minute_Q;
+  count_R <= not S;
+  count: entity work.parts_per_minute_CTU_PV0
+    port map (
+      clk => clk,
+      rst => rst,
+      power => count_power,
+      R => count_R,
+      CV => count_CV
+    );
+
+  -- rung 3 "the count, kept until S opens", parts_per_minute.ladder:17
+  parts_next <= count_CV;
+
+  parts <= std_logic_vector(parts_reg);
+  done <= done_reg;
+
+  process (clk)
+  begin
+    if rising_edge(clk) then
+      if rst = '1' then
+        sensor_before <= '0';
+        parts_reg <= (others => '0');
+        done_reg <= '0';
+      else
+        sensor_before <= sensor;
+        parts_reg <= parts_next;
+        done_reg <= done_next;
+      end if;
+    end if;
+  end process;
+end architecture rtl;

@@ -1,0 +1,135 @@
+// Made by hotrail 0.1.0 from race_two_pushes.ladder. Do not edit: change the ladder and build again.
+
+`default_nettype none
+
+// The blocks stand in the program's file.
+/* verilator lint_off DECLFILENAME */
+
+// CTU: up counter
+// PV = 2
+// IN  _#_##_#_#__#_#_
+// R   _________##____
+// Q   ___######____##
+// CV  011222334001122
+module race_two_pushes_CTU_PV2 (
+  input  wire        clk,
+  input  wire        rst,
+  input  wire        power,
+  input  wire        clear_after,
+  output wire        Q,
+  output wire [15:0] CV
+);
+  reg [15:0] CV_reg = 16'd0;
+  reg was = 1'b0;
+
+  wire unequal = CV_reg != 16'd32767;
+  wire [15:0] CV_value = CV_reg + {15'b0, power & ~was & unequal};
+  wire [15:0] CV_next = clear_after ? 16'd0 : CV_value;
+
+  assign Q = $signed(CV_value) >= 16'sd2;
+  assign CV = CV_value;
+
+  always @(posedge clk) begin
+    if (rst) begin
+      CV_reg <= 16'd0;
+      was <= 1'b0;
+    end else begin
+      CV_reg <= CV_next;
+      was <= power;
+    end
+  end
+endmodule
+
+// TON: on-delay timer
+// PT = 3
+// IN  _#######__###__##_
+// Q   ____####__________
+// ET  001233330001200010
+module race_two_pushes_TON_PT20 (
+  input  wire clk,
+  input  wire rst,
+  input  wire tick,
+  input  wire power,
+  input  wire clear_after,
+  output wire Q
+);
+  reg [31:0] ET = 32'd0;
+  reg was = 1'b0;
+
+  wire less = $signed(ET) < 32'sd20;
+  wire [31:0] sum = ET + {31'b0, tick & less};
+  wire [31:0] choice = (power & was) ? sum : 32'd0;
+  wire at_least = $signed(choice) >= 32'sd20;
+  wire [31:0] ET_next = clear_after ? 32'd0 : choice;
+
+  assign Q = power & at_least;
+
+  always @(posedge clk) begin
+    if (rst) begin
+      ET <= 32'd0;
+      was <= 1'b0;
+    end else begin
+      ET <= ET_next;
+      was <= power;
+    end
+  end
+endmodule
+
+module race_two_pushes (
+  input  wire clk,
+  input  wire rst,
+  input  wire tick,
+  input  wire button,
+  input  wire clear,
+  output wire won
+);
+  reg won_reg = 1'b0;
+
+  // rung 1 "count the pushes", race_two_pushes.ladder:10
+  wire pushes_Q;
+  wire [15:0] pushes_CV;
+
+  // rung 2 "the time runs from the first push on", race_two_pushes.ladder:13
+  wire time_power = $signed(pushes_CV) > 16'sd0;
+  wire time_Q;
+
+  // rung 3 "two pushes before the time is up", race_two_pushes.ladder:16
+  wire won_rung3 = pushes_Q & ~time_Q | won_reg;
+
+  // rung 4 "won or lost, the next push is a first one", race_two_pushes.ladder:19
+  wire rung4_power = pushes_Q | time_Q;
+
+  // rung 5 "clear", race_two_pushes.ladder:22
+  wire won_next = won_rung3 & ~clear;
+  wire pushes_clear_after = rung4_power | clear;
+  race_two_pushes_CTU_PV2 pushes (
+    .clk(clk),
+    .rst(rst),
+    .power(button),
+    .clear_after(pushes_clear_after),
+    .Q(pushes_Q),
+    .CV(pushes_CV)
+  );
+  wire time_clear_after = rung4_power | clear;
+  race_two_pushes_TON_PT20 time_u (
+    .clk(clk),
+    .rst(rst),
+    .tick(tick),
+    .power(time_power),
+    .clear_after(time_clear_after),
+    .Q(time_Q)
+  );
+
+  assign won = won_reg;
+
+  always @(posedge clk) begin
+    if (rst) begin
+      won_reg <= 1'b0;
+    end else begin
+      won_reg <= won_next;
+    end
+  end
+endmodule
+/* verilator lint_on DECLFILENAME */
+
+`default_nettype wire

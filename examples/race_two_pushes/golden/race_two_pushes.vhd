@@ -1,0 +1,177 @@
+-- Made by hotrail 0.1.0 from race_two_pushes.ladder. Do not edit: change the ladder and build again.
+
+-- CTU: up counter
+-- PV = 2
+-- IN  _#_##_#_#__#_#_
+-- R   _________##____
+-- Q   ___######____##
+-- CV  011222334001122
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity race_two_pushes_CTU_PV2 is
+  port (
+    clk         : in  std_logic;
+    rst         : in  std_logic;
+    power       : in  std_logic;
+    clear_after : in  std_logic;
+    Q           : out std_logic;
+    CV          : out unsigned(15 downto 0)
+  );
+end entity race_two_pushes_CTU_PV2;
+
+architecture rtl of race_two_pushes_CTU_PV2 is
+  signal CV_reg : unsigned(15 downto 0) := (others => '0');
+  signal was : std_logic := '0';
+  signal unequal : std_logic;
+  signal CV_value : unsigned(15 downto 0);
+  signal CV_next : unsigned(15 downto 0);
+begin
+  unequal <= '1' when CV_reg /= 32767 else '0';
+  CV_value <= CV_reg + (to_unsigned(0, 15) & (power and not was and unequal));
+  CV_next <= to_unsigned(0, 16) when clear_after = '1' else CV_value;
+
+  Q <= '1' when signed(CV_value) >= 2 else '0';
+  CV <= CV_value;
+
+  process (clk)
+  begin
+    if rising_edge(clk) then
+      if rst = '1' then
+        CV_reg <= (others => '0');
+        was <= '0';
+      else
+        CV_reg <= CV_next;
+        was <= power;
+      end if;
+    end if;
+  end process;
+end architecture rtl;
+
+-- TON: on-delay timer
+-- PT = 3
+-- IN  _#######__###__##_
+-- Q   ____####__________
+-- ET  001233330001200010
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity race_two_pushes_TON_PT20 is
+  port (
+    clk         : in  std_logic;
+    rst         : in  std_logic;
+    tick        : in  std_logic;
+    power       : in  std_logic;
+    clear_after : in  std_logic;
+    Q           : out std_logic
+  );
+end entity race_two_pushes_TON_PT20;
+
+architecture rtl of race_two_pushes_TON_PT20 is
+  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal was : std_logic := '0';
+  signal less : std_logic;
+  signal sum : unsigned(31 downto 0);
+  signal choice : unsigned(31 downto 0);
+  signal at_least : std_logic;
+  signal ET_next : unsigned(31 downto 0);
+begin
+  less <= '1' when signed(ET) < 20 else '0';
+  sum <= ET + (to_unsigned(0, 31) & (tick and less));
+  choice <= sum when (power and was) = '1' else to_unsigned(0, 32);
+  at_least <= '1' when signed(choice) >= 20 else '0';
+  ET_next <= to_unsigned(0, 32) when clear_after = '1' else choice;
+
+  Q <= power and at_least;
+
+  process (clk)
+  begin
+    if rising_edge(clk) then
+      if rst = '1' then
+        ET <= (others => '0');
+        was <= '0';
+      else
+        ET <= ET_next;
+        was <= power;
+      end if;
+    end if;
+  end process;
+end architecture rtl;
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity race_two_pushes is
+  port (
+    clk    : in  std_logic;
+    rst    : in  std_logic;
+    tick   : in  std_logic;
+    button : in  std_logic;
+    clear  : in  std_logic;
+    won    : out std_logic
+  );
+end entity race_two_pushes;
+
+architecture rtl of race_two_pushes is
+  signal won_reg : std_logic := '0';
+  signal pushes_Q : std_logic;
+  signal pushes_CV : unsigned(15 downto 0);
+  signal time_power : std_logic;
+  signal time_Q : std_logic;
+  signal won_rung3 : std_logic;
+  signal rung4_power : std_logic;
+  signal won_next : std_logic;
+  signal pushes_clear_after : std_logic;
+  signal time_clear_after : std_logic;
+begin
+
+  -- rung 1 "count the pushes", race_two_pushes.ladder:10
+
+  -- rung 2 "the time runs from the first push on", race_two_pushes.ladder:13
+  time_power <= '1' when signed(pushes_CV) > 0 else '0';
+
+  -- rung 3 "two pushes before the time is up", race_two_pushes.ladder:16
+  won_rung3 <= (pushes_Q and not time_Q) or won_reg;
+
+  -- rung 4 "won or lost, the next push is a first one", race_two_pushes.ladder:19
+  rung4_power <= pushes_Q or time_Q;
+
+  -- rung 5 "clear", race_two_pushes.ladder:22
+  won_next <= won_rung3 and not clear;
+  pushes_clear_after <= rung4_power or clear;
+  pushes: entity work.race_two_pushes_CTU_PV2
+    port map (
+      clk => clk,
+      rst => rst,
+      power => button,
+      clear_after => pushes_clear_after,
+      Q => pushes_Q,
+      CV => pushes_CV
+    );
+  time_clear_after <= rung4_power or clear;
+  time_u: entity work.race_two_pushes_TON_PT20
+    port map (
+      clk => clk,
+      rst => rst,
+      tick => tick,
+      power => time_power,
+      clear_after => time_clear_after,
+      Q => time_Q
+    );
+
+  won <= won_reg;
+
+  process (clk)
+  begin
+    if rising_edge(clk) then
+      if rst = '1' then
+        won_reg <= '0';
+      else
+        won_reg <= won_next;
+      end if;
+    end if;
+  end process;
+end architecture rtl;

@@ -1,0 +1,73 @@
+// Made by hotrail 0.1.0 from spray_machine.ladder. Do not edit: change the ladder and build again.
+
+`default_nettype none
+
+// Connects spray_machine to the pins of a board.
+module spray_machine_top (
+  input  wire clk,
+  input  wire rst,
+  input  wire start,
+  input  wire stop,
+  input  wire home,
+  input  wire at_end,
+  input  wire middle,
+  output wire forward,
+  output wire reverse,
+  output wire spray
+);
+  // Reset: comes at once, goes in step with the clock.
+  (* ASYNC_REG = "TRUE" *) reg [1:0] reset_pipe = 2'b11;
+  always @(posedge clk or posedge rst) begin
+    if (rst) reset_pipe <= 2'b11;
+    else reset_pipe <= {reset_pipe[0], 1'b0};
+  end
+  wire core_rst = reset_pipe[1];
+
+  // Tick: every 1200000 clocks of 12 MHz, wanted every 100 ms, error 0 ppm.
+  reg [20:0] prescaler = 21'd0;
+  wire tick = prescaler == 21'd1199999;
+  always @(posedge clk) begin
+    if (core_rst) prescaler <= 21'd0;
+    else prescaler <= tick ? 21'd0 : prescaler + 21'd1;
+  end
+
+  // Inputs: two flip-flops for each bit.
+  (* ASYNC_REG = "TRUE" *) reg start_meta = 1'b0;
+  (* ASYNC_REG = "TRUE" *) reg start_sync = 1'b0;
+  (* ASYNC_REG = "TRUE" *) reg stop_meta = 1'b0;
+  (* ASYNC_REG = "TRUE" *) reg stop_sync = 1'b0;
+  (* ASYNC_REG = "TRUE" *) reg home_meta = 1'b0;
+  (* ASYNC_REG = "TRUE" *) reg home_sync = 1'b0;
+  (* ASYNC_REG = "TRUE" *) reg at_end_meta = 1'b0;
+  (* ASYNC_REG = "TRUE" *) reg at_end_sync = 1'b0;
+  (* ASYNC_REG = "TRUE" *) reg middle_meta = 1'b0;
+  (* ASYNC_REG = "TRUE" *) reg middle_sync = 1'b0;
+  always @(posedge clk) begin
+    start_meta <= start;
+    start_sync <= start_meta;
+    stop_meta <= stop;
+    stop_sync <= stop_meta;
+    home_meta <= home;
+    home_sync <= home_meta;
+    at_end_meta <= at_end;
+    at_end_sync <= at_end_meta;
+    middle_meta <= middle;
+    middle_sync <= middle_meta;
+  end
+
+  spray_machine core (
+    .clk(clk),
+    .rst(core_rst),
+    .tick(tick),
+    .start(start_sync),
+    .stop(stop_sync),
+    .home(home_sync),
+    .at_end(at_end_sync),
+    .middle(middle_sync),
+    .forward(forward),
+    .reverse(reverse),
+    .spray(spray)
+  );
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,111 @@
+// Made by hotrail 0.1.0 from wound_rotor_start.ladder. Do not edit: change the ladder and build again.
+
+`default_nettype none
+
+// The blocks stand in the program's file.
+/* verilator lint_off DECLFILENAME */
+
+// TON: on-delay timer
+// PT = 3
+// IN  _#######__###__##_
+// Q   ____####__________
+// ET  001233330001200010
+module wound_rotor_start_TON_PT50 (
+  input  wire clk,
+  input  wire rst,
+  input  wire tick,
+  input  wire power,
+  output wire Q
+);
+  reg [31:0] ET = 32'd0;
+  reg was = 1'b0;
+
+  wire less = $signed(ET) < 32'sd50;
+  wire [31:0] sum = ET + {31'b0, tick & less};
+  wire [31:0] ET_next = (power & was) ? sum : 32'd0;
+  wire at_least = $signed(ET_next) >= 32'sd50;
+
+  assign Q = power & at_least;
+
+  always @(posedge clk) begin
+    if (rst) begin
+      ET <= 32'd0;
+      was <= 1'b0;
+    end else begin
+      ET <= ET_next;
+      was <= power;
+    end
+  end
+endmodule
+
+module wound_rotor_start (
+  input  wire clk,
+  input  wire rst,
+  input  wire tick,
+  input  wire S0,
+  input  wire S1,
+  input  wire F1,
+  output wire K1,
+  output wire K2,
+  output wire K3,
+  output wire K4
+);
+  reg K1_reg = 1'b0;
+  reg K2_reg = 1'b0;
+  reg K3_reg = 1'b0;
+  reg K4_reg = 1'b0;
+
+  // rung 1 "line", wound_rotor_start.ladder:13
+  wire K1_next = (S1 | K1_reg) & S0 & F1;
+
+  // rung 2 "resistors", wound_rotor_start.ladder:16
+  wire first_Q;
+  wound_rotor_start_TON_PT50 first (
+    .clk(clk),
+    .rst(rst),
+    .tick(tick),
+    .power(K1_next),
+    .Q(first_Q)
+  );
+  wire second_Q;
+  wound_rotor_start_TON_PT50 second (
+    .clk(clk),
+    .rst(rst),
+    .tick(tick),
+    .power(first_Q),
+    .Q(second_Q)
+  );
+  wire third_Q;
+  wound_rotor_start_TON_PT50 third (
+    .clk(clk),
+    .rst(rst),
+    .tick(tick),
+    .power(second_Q),
+    .Q(third_Q)
+  );
+  wire K2_next = first_Q;
+  wire K3_next = second_Q;
+  wire K4_next = third_Q;
+
+  assign K1 = K1_reg;
+  assign K2 = K2_reg;
+  assign K3 = K3_reg;
+  assign K4 = K4_reg;
+
+  always @(posedge clk) begin
+    if (rst) begin
+      K1_reg <= 1'b0;
+      K2_reg <= 1'b0;
+      K3_reg <= 1'b0;
+      K4_reg <= 1'b0;
+    end else begin
+      K1_reg <= K1_next;
+      K2_reg <= K2_next;
+      K3_reg <= K3_next;
+      K4_reg <= K4_next;
+    end
+  end
+endmodule
+/* verilator lint_on DECLFILENAME */
+
+`default_nettype wire

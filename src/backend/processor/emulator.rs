@@ -1,0 +1,203 @@
+//! Runs an image word by word, as the processor does, and counts its clocks.
+
+use super::function::Functions;
+use super::rom::{Fault, Rom};
+use super::word::{
+    Address, Attribute, FIRST_OUTPUT, IMAGE_BITS, ONE, Operation, Prefix, STACK_DEPTH, Word,
+};
+
+/// Clocks of a scan besides one for each word, each input and each output: one to sample, two
+/// until the first word is there, one behind the last output, one to show them.
+pub const CLOCKS_AROUND: u64 = 5;
+
+/// A processor that runs an image.
+#[derive(Clone, Debug)]
+pub struct Machine<'r> {
+    rom: &'r Rom,
+    words: Vec<Word>,
+    inputs: Vec<bool>,
+    /// The state of the power circuit, for who wants to watch it.
+    pub power: PowerCircuit,
+    /// Every bit of the image.
+    image: Vec<bool>,
+    functions: Functions,
+    next: usize,
+    clocks: u64,
+}
+
+/// The power, the stacks and the latched circuits.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct PowerCircuit {
+    /// The power in hand: at the left of the next contact.
+    pub pwra: bool,
+    /// Powers at the left ends of lists.
+    pub stack1: Vec<bool>,
+    /// Results of branches.
+    pub stack2: Vec<bool>,
+    /// The next contact starts a circuit.
+    pub ended: bool,
+}
+
+impl PowerCircuit {
+    /// A contact that conducts or not.
+    fn contact(&mut self, attribute: Attribute, conducts: bool) {
+        if self.ended {
+            *self = PowerCircuit { pwra: true, ..PowerCircuit::default() };
+        }
+        let left = self.pwra;
+        let mut right = left && conducts;
+        let branch = attribute.up.then(|| pop(&mut self.stack2));
+        if let Some(branch) = branch {
+            right |= branch;
+        }
+        if attribute.pushes_left() {
+            // Where the list above joins at this contact, its power comes back through it.
+            let back = branch.is_some_and(|branch| conducts && branch);
+            push(&mut self.stack1, left || back);
+        }
+        if attribute.ret {
+            push(&mut self.stack2, right);
+            right = if attribute.pops_left() { pop(&mut self.stack1) } else { left };
+        }
+        self.pwra = right;
+    }
+}
+
+/// The image was checked before it runs.
+fn pop(stack: &mut Vec<bool>) -> bool {
+    stack.pop().expect("the image takes no more than was put")
+}
+
+fn push(stack: &mut Vec<bool>, power: bool) {
+    stack.push(power);
+    assert!(stack.len() <= STACK_DEPTH, "the image puts no more than fits");
+}
+
+impl<'r> Machine<'r> {
+    /// The processor at reset, inputs 0.
+    ///
+    /// # Errors
+    /// What the image has that the processor cannot run.
+    pub fn new(rom: &'r Rom) -> Result<Self, Vec<Fault>> {
+        let faults = rom.faults();
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        let words = rom.code.iter().map(|&bits| Word::decode(bits).expect("checked")).collect();
+        let mut machine = Machine {
+            rom,
+            words,
+            inputs: Vec::new(),
+            power: PowerCircuit::default(),
+            image: Vec::new(),
+            functions: Functions::new(rom),
+            next: 0,
+            clocks: 0,
+        };
+        machine.reset();
+        Ok(machine)
+    }
+
+    /// Back to reset, inputs to 0.
+    pub fn reset(&mut self) {
+        self.inputs = vec![false; self.rom.pins.inputs.into()];
+        self.image = vec![false; IMAGE_BITS];
+        self.image[usize::from(ONE)] = true;
+        self.rom.image.iter().for_each(|&address| self.image[usize::from(address)] = true);
+        self.functions = Functions::new(self.rom);
+        self.power = PowerCircuit::default();
+        self.next = self.words.len();
+    }
+
+    /// Drives an input from the next scan on.
+    pub fn drive(&mut self, input: Address, value: bool) {
+        self.inputs[usize::from(input)] = value;
+    }
+
+    /// A bit of the image.
+    pub fn bit(&self, address: Address) -> bool {
+        self.image[usize::from(address)]
+    }
+
+    /// A register.
+    pub fn register(&self, register: u16) -> u16 {
+        self.functions.registers[usize::from(register)]
+    }
+
+    /// Writes a register, as a host does over the bus.
+    pub fn write_register(&mut self, register: u16, value: u16) {
+        self.functions.registers[usize::from(register)] = value;
+    }
+
+    /// The outputs as the pins show them after a scan.
+    pub fn outputs(&self) -> impl Iterator<Item = bool> {
+        (0..self.rom.pins.outputs).map(|output| self.bit(FIRST_OUTPUT + output))
+    }
+
+    /// Clocks of all scans so far.
+    pub fn clocks(&self) -> u64 {
+        self.clocks
+    }
+
+    /// One scan, with the tick or without.
+    pub fn scan(&mut self, tick: bool) {
+        self.begin(tick);
+        while self.step().is_some() {}
+    }
+
+    /// Samples the inputs and stands before the first word.
+    pub fn begin(&mut self, tick: bool) {
+        let inputs = self.inputs.len();
+        self.image[..inputs].copy_from_slice(&self.inputs);
+        self.functions.begin(tick);
+        self.power = PowerCircuit { ended: true, ..PowerCircuit::default() };
+        self.next = 0;
+        let pins = self.rom.pins;
+        self.clocks += CLOCKS_AROUND + u64::from(pins.inputs) + u64::from(pins.outputs);
+    }
+
+    /// Executes the next word and returns its address; nothing at the end of the scan.
+    pub fn step(&mut self) -> Option<usize> {
+        let at = self.next;
+        let word = *self.words.get(at)?;
+        self.next += 1;
+        self.clocks += 1;
+        match word {
+            Word::Contact { negated, attribute, address } => {
+                let conducts = self.bit(address) != negated;
+                self.power.contact(attribute, conducts);
+            }
+            Word::Output { operation, coil } => {
+                self.power.ended = true;
+                self.output(operation, coil);
+            }
+            Word::Prefix(prefix) => {
+                self.power.ended |= matches!(prefix, Prefix::Enable | Prefix::Serial);
+                self.functions.prefix(prefix, self.power.pwra);
+            }
+        }
+        Some(at)
+    }
+
+    fn output(&mut self, operation: Operation, coil: Address) {
+        let power = self.power.pwra;
+        let coil = usize::from(coil);
+        match operation {
+            Operation::Coil => self.image[coil] = power,
+            Operation::Inverted => self.image[coil] = !power,
+            Operation::Set => self.image[coil] |= power,
+            Operation::Reset => self.image[coil] &= !power,
+            Operation::End => {}
+            function => {
+                let result = self.functions.run(function, power);
+                self.clocks += result.clocks;
+                if let Some(value) = result.coil {
+                    self.image[coil] = value;
+                }
+                for (tap, value) in result.taps.into_iter().enumerate() {
+                    self.image[coil + 1 + tap] = value;
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,212 @@
+//! Where the variables of a program live in the processor.
+
+use std::collections::BTreeMap;
+
+use super::function::free_registers;
+use super::rom::{Pins, region};
+use super::word::{
+    Address, DRUMS, FIRST_COUNT, FIRST_FLAG, FIRST_OUTPUT, ONE, REGISTERS, SHIFTS, UNITS,
+};
+use crate::diagnostic::{Diagnostic, code};
+use crate::index::index;
+use crate::model::{Program, Role, VariableId};
+use crate::source::Span;
+use crate::types::Type;
+
+/// Addresses, registers and units that a program takes, each in the order of the text, so that
+/// they stay where they are from build to build.
+#[derive(Clone, Debug)]
+pub struct Layout {
+    /// The bit of each variable that has one.
+    bits: Vec<Option<Address>>,
+    /// The first register of each variable that has one.
+    registers: Vec<Option<u16>>,
+    /// What the user calls each bit that is taken, and each register.
+    pub bit_names: BTreeMap<Address, String>,
+    /// What each register holds.
+    pub register_names: BTreeMap<u16, String>,
+    next_preset: u16,
+    next_word: u16,
+    next_timer: u16,
+    next_drum: u16,
+    next_shift: u16,
+}
+
+/// A class of units.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum UnitClass {
+    /// Timers and counters.
+    Timer,
+    /// Drum counters.
+    Drum,
+    /// Shifts.
+    Shift,
+}
+
+impl Layout {
+    /// Every `BOOL` that a program declares, and what its edge elements and blocks remember.
+    ///
+    /// # Errors
+    /// More of them than there are addresses.
+    pub fn new(program: &Program) -> Result<Layout, Box<Diagnostic>> {
+        let mut layout = Layout {
+            bits: vec![None; program.variables.len()],
+            registers: vec![None; program.variables.len()],
+            bit_names: BTreeMap::from([(ONE, "TRUE".to_owned())]),
+            register_names: BTreeMap::new(),
+            next_preset: 0,
+            next_word: free_registers().start,
+            next_timer: 0,
+            next_drum: 0,
+            next_shift: 0,
+        };
+        let bits = || program.variables.iter().filter(|(_, variable)| variable.ty == Type::Bool);
+        for (id, variable) in bits() {
+            if let Some(address) = variable.address {
+                layout.take(id, address, &variable.name);
+            }
+        }
+        for (id, variable) in bits().filter(|(_, variable)| variable.address.is_none()) {
+            let first = match variable.role {
+                Role::Input => 0,
+                Role::Output => FIRST_OUTPUT,
+                Role::Local | Role::EdgeMemory | Role::FirstScan => FIRST_FLAG,
+                // A block that the processor has gets its flags where it is called.
+                Role::Member(..) => continue,
+            };
+            let address = layout.free_bits(first, 1, variable.span)?;
+            layout.take(id, address, &variable.name);
+        }
+        Ok(layout)
+    }
+
+    fn take(&mut self, variable: VariableId, address: Address, name: &str) {
+        self.bits[index(variable)] = Some(address);
+        self.bit_names.insert(address, name.to_owned());
+    }
+
+    /// The first of so many free addresses in a row of the region that begins at `first`.
+    fn free_bits(
+        &self,
+        first: Address,
+        count: u16,
+        span: Span,
+    ) -> Result<Address, Box<Diagnostic>> {
+        let end = match first {
+            0 => FIRST_OUTPUT,
+            FIRST_OUTPUT => FIRST_FLAG,
+            _ => ONE,
+        };
+        let is_free = |address: &Address| {
+            (*address..address + count).all(|bit| !self.bit_names.contains_key(&bit))
+        };
+        (first..end).take_while(|address| address + count <= end).find(is_free).ok_or_else(|| {
+            let what = region(first);
+            full(span, format!("the ladder processor has {} {what}s", end - first))
+                .label(format!("no {what} is left for this"))
+                .help("build it with --emit verilog or vhdl, or make two programs of it")
+                .into()
+        })
+    }
+
+    /// The bit of a variable.
+    pub fn bit(&self, variable: VariableId) -> Option<Address> {
+        self.bits[index(variable)]
+    }
+
+    /// The first register of a variable.
+    pub fn register(&self, variable: VariableId) -> Option<u16> {
+        self.registers[index(variable)]
+    }
+
+    /// Flags in a row for variables of a block.
+    pub fn flags(
+        &mut self,
+        variables: &[(VariableId, String)],
+        span: Span,
+    ) -> Result<Address, Box<Diagnostic>> {
+        let first = self.free_bits(FIRST_FLAG, variables.len() as u16, span)?;
+        for (address, (variable, name)) in (first..).zip(variables) {
+            self.take(*variable, address, name);
+        }
+        Ok(first)
+    }
+
+    /// A flag for a value between two circuits.
+    pub fn flag(&mut self, name: String, span: Span) -> Result<Address, Box<Diagnostic>> {
+        let address = self.free_bits(FIRST_FLAG, 1, span)?;
+        self.bit_names.insert(address, name);
+        Ok(address)
+    }
+
+    /// Registers in a row for presets.
+    pub fn presets(&mut self, names: &[String], span: Span) -> Result<u16, Box<Diagnostic>> {
+        let first = self.next_preset;
+        self.next_preset += names.len() as u16;
+        if self.next_preset > FIRST_COUNT {
+            let message = format!("the ladder processor has {FIRST_COUNT} registers for presets");
+            return Err(full(span, message)
+                .label("no register is left for this")
+                .help("build it with --emit verilog or vhdl")
+                .into());
+        }
+        for (register, name) in (first..).zip(names) {
+            self.register_names.insert(register, name.clone());
+        }
+        Ok(first)
+    }
+
+    /// Registers for words that the program changes.
+    pub fn words(&mut self, names: &[String], span: Span) -> Result<u16, Box<Diagnostic>> {
+        let first = self.next_word;
+        let end = usize::from(first) + names.len();
+        if end > REGISTERS {
+            let count = free_registers().count();
+            let message = format!("the ladder processor has {count} registers for words");
+            return Err(full(span, message)
+                .label("no register is left for this")
+                .help("build it with --emit verilog or vhdl")
+                .into());
+        }
+        self.next_word = end as u16;
+        for (register, name) in (first..).zip(names) {
+            self.register_names.insert(register, name.clone());
+        }
+        Ok(first)
+    }
+
+    /// Says where a number variable lives.
+    pub fn place(&mut self, variable: VariableId, register: u16) {
+        self.registers[index(variable)] = Some(register);
+    }
+
+    /// A unit of its own for a function.
+    pub fn unit(&mut self, class: UnitClass, span: Span) -> Result<u16, Box<Diagnostic>> {
+        let (next, count, what) = match class {
+            UnitClass::Timer => (&mut self.next_timer, UNITS, "timers and counters"),
+            UnitClass::Drum => (&mut self.next_drum, DRUMS, "drums"),
+            UnitClass::Shift => (&mut self.next_shift, SHIFTS, "shift functions"),
+        };
+        if *next == count {
+            return Err(full(span, format!("the ladder processor has {count} {what}"))
+                .label("one more")
+                .help("build it with --emit verilog or vhdl, or make two programs of it")
+                .into());
+        }
+        *next += 1;
+        Ok(*next - 1)
+    }
+
+    /// As many inputs and outputs as reach the highest address of each.
+    pub fn pins(&self) -> Pins {
+        let end = |from: Address, to: Address| {
+            self.bit_names.range(from..to).next_back().map_or(0, |(&last, _)| last + 1 - from)
+        };
+        Pins { inputs: end(0, FIRST_OUTPUT), outputs: end(FIRST_OUTPUT, FIRST_FLAG) }
+    }
+}
+
+/// A finding about a limit of the processor.
+pub(super) fn full(span: Span, message: String) -> Diagnostic {
+    Diagnostic::new(code::PROCESSOR_FULL, span, message)
+}

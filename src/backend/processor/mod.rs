@@ -1,0 +1,27 @@
+//! The ladder processor: a machine that reads a ladder contact by contact from its memory, and the
+//! compiler that writes what stands there. `docs/processor.md` describes the machine.
+
+mod call;
+mod compile;
+mod condition;
+mod decode;
+mod emulator;
+mod encode;
+mod function;
+mod layout;
+mod net;
+mod rom;
+mod tree;
+mod usage;
+mod word;
+
+pub use compile::{Image, compile, compile_observing};
+pub use decode::decode;
+pub use emulator::{CLOCKS_AROUND, Machine, PowerCircuit};
+pub use encode::{Fitted, encode, fit};
+pub use layout::Layout;
+pub use rom::{Fault, FaultKind, Pins, Rom, region};
+pub use tree::{Bridge, Contact, Tree};
+pub use word::{
+    Address, Attribute, FIRST_FLAG, FIRST_OUTPUT, Illegal, ONE, Operation, Prefix, TimerType, Word,
+};

@@ -1,0 +1,106 @@
+//! One rung between its rails.
+
+use std::collections::HashMap;
+
+use super::cells::{Align, ElementId, Part, Point, Power, Shape};
+use super::fit::{Fitter, From};
+use super::node::{END, START, Series};
+use super::place::Placer;
+
+/// One rung.
+#[derive(Debug, Default)]
+pub struct Rung {
+    /// Its number, from 1.
+    pub number: usize,
+    /// Its title.
+    pub title: Option<String>,
+    /// The line, from 1, on which it starts.
+    pub line: u32,
+    /// The comment above it, line by line.
+    pub comment: Vec<String>,
+    /// The rung as it is written, on one line.
+    pub written: String,
+    /// How many elements it has.
+    pub elements: ElementId,
+    /// How many rows it takes.
+    pub height: i32,
+    /// What is drawn.
+    pub parts: Vec<Part>,
+}
+
+impl Rung {
+    /// A series between rails that are `width` columns apart, itself included.
+    pub(super) fn laid_out(series: Series, width: i32) -> Self {
+        let right = width - 1;
+        let mut fitter = Fitter::default();
+        let mut placer = Placer::default();
+        let series = fitter.series(series, right);
+        let entry = series.size.above;
+        let bottom = entry + series.size.below;
+        let to_rail = series.ends_with_output();
+        placer.series(&series, Point { x: 0, y: entry }, right, to_rail);
+        reach_the_rail(&mut placer);
+        for x in [0, right] {
+            placer.part(None, Shape::Rail { x, top: 0, bottom });
+        }
+        let mut free = bottom + 2;
+        while let Some(detail) = fitter.details.pop_front() {
+            let series = fitter.detail(detail.series, right - START - END);
+            let at = Point { x: START, y: free + series.size.above };
+            let end = right - END;
+            free = at.y + series.size.below + 2;
+            match detail.from {
+                From::Rail => placer.stub(at),
+                From::Mark => {
+                    let arrow = Point { x: START - 1, ..at };
+                    placer.mark(&detail.mark, Point { x: START - 2, ..at }, Align::End);
+                    placer.arrow(arrow, false);
+                    placer.wire(arrow, at, Power::Rail);
+                }
+            }
+            placer.series(&series, at, end - at.x, false);
+            let exit = at.y + series.exit;
+            let arrow = Point { x: end + 1, y: exit };
+            placer.wire(Point { x: end, y: exit }, arrow, Power::Rail);
+            placer.arrow(arrow, false);
+            placer.mark(&detail.mark, Point { x: end + 2, y: exit }, Align::Start);
+        }
+        for at in std::mem::take(&mut placer.stubs) {
+            placer.part(None, Shape::Rail { x: at.x, top: at.y, bottom: at.y });
+        }
+        Rung { height: free - 1, parts: placer.parts, ..Rung::default() }
+    }
+}
+
+/// Leads circuits that start at a rail of their own to the left rail, where nothing is in the way.
+fn reach_the_rail(placer: &mut Placer) {
+    if placer.stubs.is_empty() {
+        return;
+    }
+    let mut leftmost: HashMap<i32, i32> = HashMap::new();
+    let mut seen = |y: i32, x: i32| {
+        let least = leftmost.entry(y).or_insert(x);
+        *least = x.min(*least);
+    };
+    for part in &placer.parts {
+        match &part.shape {
+            Shape::Wire { from, to, .. } | Shape::Frame { from, to } => {
+                (from.y..=to.y).for_each(|y| seen(y, from.x));
+            }
+            Shape::Symbol { at, .. }
+            | Shape::References { at, .. }
+            | Shape::Arrow { at, .. }
+            | Shape::Dot(at) => seen(at.y, at.x),
+            Shape::Text(text) => seen(text.at.y, text.at.x),
+            Shape::Rail { .. } => {}
+        }
+    }
+    let stubs = std::mem::take(&mut placer.stubs);
+    for at in stubs {
+        if leftmost.get(&at.y).is_none_or(|&x| x >= at.x) {
+            placer.wire(Point { x: 0, ..at }, at, Power::Rail);
+        } else {
+            placer.stub(at);
+        }
+    }
+}

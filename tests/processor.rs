@@ -1,0 +1,307 @@
+//! The ladder processor: its compiler's image, run by its emulator, does what the evaluator does.
+
+mod common;
+
+use common::shrink::shrink;
+use common::{amount, relay};
+use fastrand::Rng;
+use hotrail::backend::processor::{
+    self, Bridge, Contact, Image, Machine, Operation, Tree, Word, decode, encode,
+};
+use hotrail::diagnostic;
+use hotrail::eval::Evaluator;
+use hotrail::model::{Program, Role, VariableId};
+use hotrail::source::Source;
+use hotrail::types::Type;
+
+fn analyze(text: &str) -> Result<Program, String> {
+    let source = Source::new("test.ladder", text);
+    let (program, diagnostics) = hotrail::analyze(&source);
+    program.ok_or_else(|| {
+        diagnostics.iter().map(|found| diagnostic::render(found, &source, false)).collect()
+    })
+}
+
+fn compile(text: &str) -> Result<(Program, Image), String> {
+    let program = analyze(text)?;
+    match processor::compile(&program) {
+        Ok(image) => Ok((program, image)),
+        Err(findings) => {
+            let source = Source::new("test.ladder", text);
+            Err(findings.iter().map(|found| diagnostic::render(found, &source, false)).collect())
+        }
+    }
+}
+
+/// Drives both with the same inputs and ticks and says what differs.
+fn difference(program: &Program, image: &Image, scans: usize, mut random: Rng) -> Option<String> {
+    let mut evaluator = Evaluator::new(program);
+    let mut machine = Machine::new(&image.rom).expect("the compiler's image can be run");
+    let inputs: Vec<VariableId> = program.with_role(Role::Input).map(|(id, _)| id).collect();
+    let tick_one_in = random.u8(1..4);
+    for scan in 0..scans {
+        for &input in &inputs {
+            if random.u8(..3) > 0 {
+                continue;
+            }
+            if let Some(address) = image.layout.bit(input) {
+                let value = random.bool();
+                evaluator.drive(input, value.into());
+                machine.drive(address, value);
+            } else if let Some(register) = image.layout.register(input) {
+                let value = [-1, 0, 1, 2, 3, 5, 20_000][random.usize(..7)];
+                evaluator.drive(input, value);
+                machine.write_register(register, value as u16);
+            }
+        }
+        let tick = random.u8(..tick_one_in) == 0;
+        evaluator.scan(tick);
+        machine.scan(tick);
+        for (id, variable) in program.variables.iter() {
+            let shown = match variable.ty {
+                Type::Bool => image.layout.bit(id).map(|address| i64::from(machine.bit(address))),
+                _ => {
+                    let register = image.layout.register(id);
+                    register.map(|register| i64::from(machine.register(register) as i16))
+                }
+            };
+            let Some(shown) = shown else { continue };
+            let meant = evaluator.value(id);
+            if shown != meant {
+                return Some(format!("scan {scan}: {} is {meant}, here {shown}", variable.name));
+            }
+        }
+    }
+    None
+}
+
+/// The paper's own order of contacts and its coil 316.
+#[test]
+fn the_bridge_of_nine_contacts_has_the_words_of_the_paper() {
+    let on = Tree::on;
+    let bridge = Tree::Bridge(Box::new(Bridge {
+        upper_left: Tree::parallel([on(9), Tree::series([on(2), on(3), on(4)])]),
+        lower_left: on(5),
+        middle: Contact { address: 6, negated: false },
+        upper_right: on(1),
+        lower_right: Tree::series([on(7), on(8)]),
+    }));
+    let mut words: Vec<u16> = encode(&bridge).into_iter().map(Word::encode).collect();
+    words.push(Word::Output { operation: Operation::Coil, coil: 316 }.encode());
+    let paper = [0x1809, 0x0802, 0x0403, 0x1C04, 0x0405, 0x1406, 0x0C01, 0x0407, 0x1008, 0xA53C];
+    assert_eq!(words, paper, "{words:04X?}");
+}
+
+/// Every nesting of series and parallel with that many contacts; `is_list` says which it is.
+fn shapes(contacts: usize, is_list: bool) -> Vec<Vec<Shape>> {
+    // The parts of a series or a list, behind a first one or from the first of several on.
+    fn parts(contacts: usize, is_list: bool, is_first: bool) -> Vec<Vec<Shape>> {
+        if contacts == 0 {
+            return vec![Vec::new()];
+        }
+        let mut all = Vec::new();
+        for first in 1..=contacts - usize::from(is_first) {
+            for head in inner(first, !is_list) {
+                for tail in parts(contacts - first, is_list, false) {
+                    all.push([vec![head.clone()], tail].concat());
+                }
+            }
+        }
+        all
+    }
+    fn inner(contacts: usize, is_list: bool) -> Vec<Shape> {
+        if contacts == 1 {
+            return vec![Shape::Contact];
+        }
+        let shape = |parts| if is_list { Shape::List(parts) } else { Shape::Series(parts) };
+        parts(contacts, is_list, true).into_iter().map(shape).collect()
+    }
+    parts(contacts, is_list, true)
+}
+
+#[derive(Clone)]
+enum Shape {
+    Contact,
+    Series(Vec<Shape>),
+    List(Vec<Shape>),
+}
+
+fn text_of(shape: &Shape, next: &mut usize) -> String {
+    let mut texts =
+        |parts: &[Shape]| -> Vec<String> { parts.iter().map(|part| text_of(part, next)).collect() };
+    match shape {
+        Shape::Series(parts) => texts(parts).join(" "),
+        Shape::List(parts) => format!("[ {} ]", texts(parts).join(" | ")),
+        Shape::Contact => {
+            *next += 1;
+            let mark = if next.is_multiple_of(3) { "!" } else { "" };
+            format!("{mark}x{next}")
+        }
+    }
+}
+
+#[test]
+fn every_series_parallel_rung_of_up_to_six_contacts_conducts_where_it_is_drawn_to() {
+    let mut rungs = 0;
+    for contacts in 1..=6 {
+        let names: Vec<String> = (1..=contacts).map(|contact| format!("x{contact}")).collect();
+        let mut all: Vec<Shape> = match contacts {
+            1 => vec![Shape::Contact],
+            _ => shapes(contacts, false).into_iter().map(Shape::Series).collect(),
+        };
+        all.extend(shapes(contacts, true).into_iter().map(Shape::List));
+        for shape in all {
+            let network = text_of(&shape, &mut 0);
+            let text = format!("ladder all input {} output y rung {network} (y)", names.join(", "));
+            let (program, image) = compile(&text).unwrap_or_else(|findings| panic!("{findings}"));
+            assert_eq!(image.rom.code.len(), contacts + 2, "{network}: one word a contact");
+            let mut evaluator = Evaluator::new(&program);
+            let mut machine = Machine::new(&image.rom).unwrap();
+            let inputs: Vec<VariableId> =
+                program.with_role(Role::Input).map(|(id, _)| id).collect();
+            for row in 0..1_u32 << contacts {
+                for (bit, &input) in inputs.iter().enumerate() {
+                    evaluator.drive(input, (row >> bit & 1).into());
+                    machine.drive(bit as u16, row >> bit & 1 == 1);
+                }
+                evaluator.scan(false);
+                machine.scan(false);
+                let y = program.variable_named("y").unwrap();
+                assert_eq!(machine.bit(256), evaluator.value(y) == 1, "{network}, inputs {row:b}");
+            }
+            rungs += 1;
+        }
+    }
+    // Twice the little Schroeder numbers 1, 3, 11, 45, 197, and the single contact.
+    assert_eq!(rungs, 1 + 2 * (1 + 3 + 11 + 45 + 197));
+}
+
+/// A random tree of contacts, bridges among them if they are wanted.
+fn random_tree(random: &mut Rng, depth: u32, bridges: bool) -> Tree {
+    let contact = |random: &mut Rng| Contact { address: random.u16(..12), negated: random.bool() };
+    match random.u32(..if depth == 0 { 1 } else { 10 }) {
+        0..=2 => Tree::Contact(contact(random)),
+        3..=5 => {
+            let parts = 2 + random.usize(..3);
+            Tree::series((0..parts).map(|_| random_tree(random, depth - 1, bridges)))
+        }
+        6 if bridges => {
+            let mut arm = || random_tree(random, depth - 1, bridges);
+            let (upper_left, lower_left, upper_right, lower_right) = (arm(), arm(), arm(), arm());
+            let middle = contact(random);
+            Tree::Bridge(Box::new(Bridge {
+                upper_left,
+                lower_left,
+                middle,
+                upper_right,
+                lower_right,
+            }))
+        }
+        _ => {
+            let branches = 2 + random.usize(..3);
+            Tree::parallel((0..branches).map(|_| random_tree(random, depth - 1, bridges)))
+        }
+    }
+}
+
+/// Runs a tree as the processor does, with what it needs in flags, and compares it with the tree.
+fn check_tree(tree: &Tree, random: &mut Rng) {
+    let mut rom = processor::Rom::default();
+    let mut flag = 512;
+    let fitted = processor::fit(tree, || {
+        flag += 1;
+        flag - 1
+    });
+    let mut circuits = fitted.before.clone();
+    circuits.push((fitted.words.clone(), 256));
+    for (words, coil) in circuits {
+        rom.code.extend(words.into_iter().map(Word::encode));
+        rom.code.push(Word::Output { operation: Operation::Coil, coil }.encode());
+    }
+    rom.code.push(Word::END.encode());
+    rom.pins.inputs = 12;
+    if rom.code.len() > 1024 {
+        return;
+    }
+    let mut machine = Machine::new(&rom).unwrap_or_else(|faults| panic!("{tree:?}: {faults:?}"));
+    for _ in 0..40 {
+        let inputs: u16 = random.u16(..);
+        (0..12).for_each(|input| machine.drive(input, inputs >> input & 1 == 1));
+        machine.scan(false);
+        let meant = tree.conducts(&|address| inputs >> address & 1 == 1);
+        assert_eq!(machine.bit(256), meant, "{tree:?} with {inputs:b}");
+    }
+}
+
+#[test]
+fn random_trees_with_and_without_bridges_conduct_where_they_are_drawn_to() {
+    let mut random = Rng::with_seed(1);
+    for round in 0..amount("HOTRAIL_RANDOM_TREES", 3000) {
+        let depth = random.u32(1..7);
+        let tree = random_tree(&mut random, depth, round % 2 == 0);
+        check_tree(&tree, &mut random);
+    }
+}
+
+/// Lists in lists, each with a contact beside it, so that the stacks are needed as deep as can be.
+#[test]
+fn deep_nesting_is_ordered_or_cut() {
+    let mut random = Rng::with_seed(2);
+    for (height, flags) in [(3, 0), (4, 0), (8, 0), (9, 1), (12, 1), (13, 1), (60, 13)] {
+        for position in 0..3 {
+            let mut tree = Tree::on(0);
+            for level in 1..=height {
+                let inner = Tree::series([tree, Tree::on(level % 12)]);
+                let mut branches = vec![Tree::off(level % 7), Tree::on(level % 5)];
+                branches.insert(position, inner);
+                tree = Tree::parallel(branches);
+            }
+            check_tree(&tree, &mut random);
+            let fitted = processor::fit(&tree, || 600);
+            assert!(fitted.before.len() <= flags, "{height}: {}", fitted.before.len());
+        }
+    }
+}
+
+#[test]
+fn the_words_of_a_tree_tell_the_tree() {
+    let mut random = Rng::with_seed(3);
+    let mut came_back = 0;
+    for _ in 0..5000 {
+        let depth = random.u32(1..6);
+        let tree = random_tree(&mut random, depth, false);
+        let fitted = processor::fit(&tree, || 600);
+        if !fitted.before.is_empty() {
+            continue;
+        }
+        let back = decode(&fitted.words).unwrap_or_else(|| panic!("{tree:?}"));
+        assert_eq!(encode(&back), fitted.words, "{tree:?}");
+        if encode(&tree) == fitted.words {
+            assert_eq!(back, tree);
+            came_back += 1;
+        }
+    }
+    assert!(came_back > 3000, "{came_back}");
+}
+
+#[test]
+fn random_programs() {
+    let (programs, mut ran) = (amount("HOTRAIL_RANDOM_PROGRAMS", 1000), 0);
+    for seed in 0..programs {
+        let text = relay::program(seed);
+        let (program, image) = match compile(&text) {
+            Ok(compiled) => compiled,
+            Err(wrong) if wrong.contains("E0802") => continue,
+            Err(wrong) => panic!("{text}\n{wrong}"),
+        };
+        ran += 1;
+        let Some(wrong) = difference(&program, &image, 200, Rng::with_seed(seed)) else { continue };
+        let fails = |text: &str| {
+            compile(text).is_ok_and(|(program, image)| {
+                difference(&program, &image, 200, Rng::with_seed(seed)).is_some()
+            })
+        };
+        panic!("seed {seed}, {wrong}; the smallest such program:\n{}", shrink(&text, fails));
+    }
+    assert!(ran * 10 > programs * 9, "{ran} of {programs} fit into the code memory");
+}
