@@ -49,14 +49,16 @@ fn pictures_look_right_in_a_browser() {
     if !require_tool("chromium") {
         return;
     }
-    let mut pictures = svg("every_shape.ladder", EVERY_SHAPE);
-    let mut count = 1;
+    let every_shape = svg("every_shape.ladder", EVERY_SHAPE);
+    let mut pictures = every_shape.clone();
     for example in examples() {
         let text = std::fs::read_to_string(&example.ladder).unwrap();
         pictures += &svg(&example.name(), &text);
-        count += 1;
     }
-    for (scheme, paper) in [(LIGHT, "rgb(255, 255, 255)"), (DARK, "rgb(20, 24, 29)")] {
+    let count = examples().len() + 1;
+    for (scheme, paper, pictures, count) in
+        [(LIGHT, "rgb(255, 255, 255)", pictures, count), (DARK, "rgb(20, 24, 29)", every_shape, 1)]
+    {
         let lines = look(&pictures, scheme);
         assert_eq!(lines.len(), count, "{lines:#?}");
         for line in lines {

@@ -8,7 +8,8 @@ mod arithmetic;
 mod builder;
 mod fast;
 mod flatten;
-mod simplify;
+mod passes;
+mod ranges;
 mod simulate;
 mod validate;
 
@@ -17,7 +18,7 @@ use std::sync::Arc;
 use la_arena::{Arena, Idx};
 
 pub use fast::{FastSimulator, LANES, LaneSimulator};
-pub use simplify::simplify;
+pub use passes::simplify;
 pub use simulate::Simulator;
 pub use validate::{Invalid, Valid};
 

@@ -52,16 +52,19 @@ impl Simulator {
         self.show_registers();
     }
 
-    /// The bits of the output port of that index. A port that shows a register changes at
-    /// [`Simulator::clock`], any other at [`Simulator::settle`].
+    /// The bits of the output port of that index. A port that shows a register, extended or not,
+    /// changes at [`Simulator::clock`], any other at [`Simulator::settle`].
     pub fn output(&self, port: usize) -> u64 {
         self.values[index(self.circuit.outputs[port].net)]
     }
 
     fn show_registers(&mut self) {
         for (net, cell) in self.circuit.cells() {
-            if let Op::Register(id) = cell.op {
-                self.values[index(net)] = self.registers[index(id)];
+            match cell.op {
+                Op::Register(_) | Op::Const(_) | Op::Extend { .. } => {
+                    self.values[index(net)] = self.value_of(cell.op, cell.width);
+                }
+                _ => {}
             }
         }
     }

@@ -6,6 +6,7 @@ mod check;
 mod completions;
 mod draw;
 mod dump;
+mod equations;
 mod explain;
 mod fmt;
 mod lints;
@@ -58,6 +59,7 @@ enum Command {
     Sim(sim::Options),
     Why(why::Options),
     Fmt(fmt::Options),
+    Equations(equations::Options),
     Draw(draw::Options),
     Explain(explain::Options),
     Blocks(blocks::Options),
@@ -156,6 +158,7 @@ pub fn run() -> ExitCode {
         Command::Sim(options) => sim::run(&options, &mut report),
         Command::Why(options) => why::run(&options, &mut report),
         Command::Fmt(options) => fmt::run(&options, &mut report),
+        Command::Equations(options) => equations::run(&options, &mut report),
         Command::Draw(options) => draw::run(&options, &mut report),
         Command::Explain(options) => return exit_code(explain::run(&options)),
         Command::Blocks(options) => return exit_code(blocks::run(&options)),

@@ -103,6 +103,11 @@ impl<'p> Evaluator<'p> {
             }
         };
         self.set(variable, value);
+        if let Some(fraction) = self.program.fraction_of(variable)
+            && value == 0
+        {
+            self.set(fraction, 0);
+        }
     }
 
     fn series(&mut self, series: &[Element], power: bool) -> bool {

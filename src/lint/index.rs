@@ -2,10 +2,11 @@
 
 use crate::index::index;
 use crate::model::{
-    Argument, ArgumentValue, Call, CoilAction, Element, Expr, ExprKind, InstanceId, Net, Place,
-    Program, Relation, Series, Statement, VariableId,
+    Argument, ArgumentValue, BinaryOp, Call, CoilAction, Element, Expr, ExprKind, InstanceId, Net,
+    Place, Program, Relation, Series, Statement, VariableId,
 };
 use crate::source::Span;
+use crate::types::Type;
 
 /// What is read or written of a variable or array.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -69,6 +70,15 @@ pub(super) struct Comparison<'p> {
     pub span: Span,
 }
 
+/// A division or remainder that a shift does not do.
+pub(super) struct Division {
+    /// The divisor, if it is constant.
+    pub divisor: Option<i64>,
+    /// Of the dividend.
+    pub ty: Type,
+    pub span: Span,
+}
+
 /// How large a rung is.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Size {
@@ -84,6 +94,7 @@ pub(super) struct Index<'p> {
     pub reads: Vec<Read>,
     pub writes: Vec<Write>,
     pub comparisons: Vec<Comparison<'p>>,
+    pub divisions: Vec<Division>,
     pub nets: Vec<&'p Net>,
     /// For each rung.
     pub sizes: Vec<Size>,
@@ -121,7 +132,7 @@ impl<'p> Index<'p> {
         tests.reads.iter().for_each(|read| read_by_tests[index(read.variable)] = true);
         let mut read_counts = vec![0; program.variables.len()];
         walk.reads.iter().for_each(|read| read_counts[index(read.variable)] += 1);
-        let Walk { reads, writes, calls, comparisons, nets, reset, .. } = walk;
+        let Walk { reads, writes, calls, comparisons, divisions, nets, reset, .. } = walk;
         let mut call_of = vec![None; program.instances.len()];
         for &call in &calls {
             call_of[index(call.instance)].get_or_insert(call);
@@ -138,6 +149,7 @@ impl<'p> Index<'p> {
             program,
             reads,
             writes,
+            divisions,
             comparisons,
             nets,
             sizes,
@@ -269,6 +281,7 @@ struct Walk<'p> {
     reads: Vec<Read>,
     writes: Vec<Write>,
     calls: Vec<&'p Call>,
+    divisions: Vec<Division>,
     comparisons: Vec<Comparison<'p>>,
     nets: Vec<&'p Net>,
     reset: Vec<bool>,
@@ -283,6 +296,7 @@ impl<'p> Walk<'p> {
             reads: Vec::new(),
             writes: Vec::new(),
             calls: Vec::new(),
+            divisions: Vec::new(),
             comparisons: Vec::new(),
             nets: Vec::new(),
             reset: vec![false; program.instances.len()],
@@ -365,6 +379,14 @@ impl<'p> Walk<'p> {
             }
             ExprKind::Compare(relation, a, b) => {
                 self.comparisons.push(Comparison { relation: *relation, sides: [a, b], span });
+            }
+            ExprKind::Binary(BinaryOp::Divide | BinaryOp::Modulo, a, b) => {
+                let divisor = b.constant();
+                let is_cheap =
+                    |divisor: i64| divisor == 0 || divisor.unsigned_abs().is_power_of_two();
+                if !divisor.is_some_and(is_cheap) {
+                    self.divisions.push(Division { divisor, ty: a.ty, span });
+                }
             }
             ExprKind::Constant(_)
             | ExprKind::Not(_)

@@ -9,10 +9,12 @@ mod at_rail;
 mod coil_and_latch;
 mod dead_end;
 mod declared;
+mod divider;
 mod double_coil;
 mod idle;
 mod index;
 mod latch;
+mod long_chain;
 mod no_rungs;
 mod preset_zero;
 mod read_above;
@@ -50,9 +52,11 @@ const RULES: &[Rule] = &[
     read_above::check,
     unwieldy::check,
     dead_end::check,
+    long_chain::check,
     preset_zero::check,
     unreset::check,
     running_equality::check,
+    divider::check,
 ];
 
 /// The warnings and notes on a program, in the order of their places. What the options deny is

@@ -2,7 +2,7 @@
 
 use super::assembler::{Assembler, Bit, OFF};
 use super::code::{Copies, Kind, Machine, Slot};
-use crate::circuit::{Cell, Circuit, Design, Net, Op, Register, Valid, mask};
+use crate::circuit::{Cell, Circuit, Design, Net, Op, Register, Valid, as_signed, mask};
 use crate::index::index;
 
 /// A circuit that runs one scan at a time, as [`Simulator`](crate::circuit::Simulator) does, and
@@ -12,11 +12,20 @@ pub struct FastSimulator {
     machine: Machine,
     /// The slot and the width of each input port.
     inputs: Vec<(Slot, u32)>,
-    /// The same of each output port.
-    outputs: Vec<(Slot, u32)>,
+    outputs: Vec<Shown>,
     /// The slot of each register and what it holds at reset.
     resets: Vec<(Slot, u64)>,
     clock: Copies,
+}
+
+/// What an output port shows: a slot of a width in bits, extended when it is asked for, because a
+/// register that is extended changes at the clock.
+#[derive(Clone, Debug)]
+struct Shown {
+    slot: Slot,
+    width: u32,
+    /// To which widths in turn, and whether with the top bit.
+    extended: Vec<(u32, bool)>,
 }
 
 /// Where the value of a net is.
@@ -58,9 +67,7 @@ impl FastSimulator {
         let registers: Vec<_> = (first_register..).zip(circuit.registers.values()).collect();
         let next = |&(slot, register): &(Slot, &Register)| (lowering.slot(register.next), slot);
         let nexts: Vec<(Slot, Slot)> = registers.iter().map(next).collect();
-        let outputs = circuit.outputs.iter();
-        let outputs =
-            outputs.map(|output| (lowering.slot(output.net), circuit.width(output.net))).collect();
+        let outputs = circuit.outputs.iter().map(|output| lowering.shown(output.net)).collect();
         let resets = registers
             .iter()
             .map(|&(slot, register)| (slot, spread(register.reset, register.width)));
@@ -97,11 +104,16 @@ impl FastSimulator {
         self.machine.copy(&self.clock);
     }
 
-    /// The bits of the output port of that index. A port that shows a register changes at
-    /// [`FastSimulator::clock`], any other at [`FastSimulator::settle`].
+    /// The bits of the output port of that index. A port that shows a register, extended or
+    /// not, changes at [`FastSimulator::clock`], any other at [`FastSimulator::settle`].
     pub fn output(&self, port: usize) -> u64 {
-        let (slot, width) = self.outputs[port];
-        self.machine.get(slot) & mask(width)
+        let Shown { slot, width, extended } = &self.outputs[port];
+        let bits = self.machine.get(*slot) & mask(*width);
+        let extend = |(bits, from): (u64, u32), &(to, signed): &(u32, bool)| {
+            let bits = if signed { as_signed(bits, from) as u64 & mask(to) } else { bits };
+            (bits, to)
+        };
+        extended.iter().fold((bits, *width), extend).0
     }
 }
 
@@ -125,6 +137,18 @@ impl Lowering<'_> {
         match self.values[index(net)] {
             Value::Bit(bit) => self.assembler.plain(bit),
             Value::Word(slot) => slot,
+        }
+    }
+
+    fn shown(&mut self, net: Net) -> Shown {
+        let Cell { op, width } = self.circuit.cell(net);
+        match op {
+            Op::Extend { from, signed } => {
+                let mut shown = self.shown(from);
+                shown.extended.push((width, signed));
+                shown
+            }
+            _ => Shown { slot: self.slot(net), width, extended: Vec::new() },
         }
     }
 

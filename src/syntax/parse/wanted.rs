@@ -117,6 +117,7 @@ fn help_about_token(rule: Rule, token: &str) -> Option<&'static str> {
         "[" if is_in_expression(rule) => {
             "only a name that is declared as an array has elements: `var w : WORD[3]`"
         }
+        ":=" if rule == Rule::want_function_end => "arguments of a function go by their order",
         ":=" if rule == Rule::want_brace_end => "one pair of braces holds one assignment",
         ":=" if in_network => "an assignment stands in braces: `{ total := total + 1 }`",
         "=" | "<" | ">" | "<=" | ">=" | "<>" | "==" | "!=" if in_network => {
