@@ -45,6 +45,7 @@ const ROOMS: &[(&str, &[&str])] = &[
         "cli",
         &[
             "source",
+            "types",
             "quantity",
             "diagnostic",
             "syntax",

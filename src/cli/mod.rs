@@ -16,6 +16,7 @@ mod sim;
 mod simulators;
 mod table;
 mod test;
+mod why;
 
 use std::io::IsTerminal;
 use std::path::PathBuf;
@@ -56,6 +57,7 @@ enum Command {
     Build(build::Options),
     Test(test::Options),
     Sim(sim::Options),
+    Why(why::Options),
     Fmt(fmt::Options),
     Equations(equations::Options),
     Draw(draw::Options),
@@ -154,6 +156,7 @@ pub fn run() -> ExitCode {
         Command::Build(options) => build::run(&options, &mut report),
         Command::Test(options) => test::run(&options, &mut report),
         Command::Sim(options) => sim::run(&options, &mut report),
+        Command::Why(options) => why::run(&options, &mut report),
         Command::Fmt(options) => fmt::run(&options, &mut report),
         Command::Equations(options) => equations::run(&options, &mut report),
         Command::Draw(options) => draw::run(&options, &mut report),
