@@ -88,9 +88,7 @@ fn the_bridge_of_nine_contacts_has_the_words_of_the_paper() {
     }));
     let mut words: Vec<u16> = encode(&bridge).into_iter().map(Word::encode).collect();
     words.push(Word::Output { operation: Operation::Coil, coil: 316 }.encode());
-    let paper = [
-        0x1809, 0x0802, 0x0403, 0x1C04, 0x0405, 0x1406, 0x0C01, 0x0407, 0x1008, 0xA53C,
-    ];
+    let paper = [0x1809, 0x0802, 0x0403, 0x1C04, 0x0405, 0x1406, 0x0C01, 0x0407, 0x1008, 0xA53C];
     assert_eq!(words, paper, "{words:04X?}");
 }
 
@@ -129,9 +127,8 @@ enum Shape {
 }
 
 fn text_of(shape: &Shape, next: &mut usize) -> String {
-    let mut texts = |parts: &[Shape]| -> Vec<String> {
-        parts.iter().map(|part| text_of(part, next)).collect()
-    };
+    let mut texts =
+        |parts: &[Shape]| -> Vec<String> { parts.iter().map(|part| text_of(part, next)).collect() };
     match shape {
         Shape::Series(parts) => texts(parts).join(" "),
         Shape::List(parts) => format!("[ {} ]", texts(parts).join(" | ")),
@@ -160,7 +157,8 @@ fn every_series_parallel_rung_of_up_to_six_contacts_conducts_where_it_is_drawn_t
             assert_eq!(image.rom.code.len(), contacts + 2, "{network}: one word a contact");
             let mut evaluator = Evaluator::new(&program);
             let mut machine = Machine::new(&image.rom).unwrap();
-            let inputs: Vec<VariableId> = program.with_role(Role::Input).map(|(id, _)| id).collect();
+            let inputs: Vec<VariableId> =
+                program.with_role(Role::Input).map(|(id, _)| id).collect();
             for row in 0..1_u32 << contacts {
                 for (bit, &input) in inputs.iter().enumerate() {
                     evaluator.drive(input, (row >> bit & 1).into());

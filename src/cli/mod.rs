@@ -11,6 +11,7 @@ mod fmt;
 mod lints;
 mod new;
 mod report;
+mod rom;
 mod sim;
 mod simulators;
 mod table;
@@ -57,6 +58,7 @@ enum Command {
     Sim(sim::Options),
     Fmt(fmt::Options),
     Draw(draw::Options),
+    Rom(rom::Options),
     Explain(explain::Options),
     Blocks(blocks::Options),
     Completions(completions::Options),
@@ -154,6 +156,7 @@ pub fn run() -> ExitCode {
         Command::Sim(options) => sim::run(&options, &mut report),
         Command::Fmt(options) => fmt::run(&options, &mut report),
         Command::Draw(options) => draw::run(&options, &mut report),
+        Command::Rom(options) => rom::run(&options, &mut report),
         Command::Explain(options) => return exit_code(explain::run(&options)),
         Command::Blocks(options) => return exit_code(blocks::run(&options)),
         Command::Completions(options) => return exit_code(completions::run(&options)),

@@ -8,7 +8,7 @@ mod runner;
 mod stimulus;
 
 pub use evaluator::Evaluator;
-pub use expectation::{Failure, conducts, explain, variables_of};
+pub use expectation::{Failure, conducts, explain, variables_of, variables_of_tests};
 pub use machine::Machine;
 pub use runner::{Outcome, run_test, run_test_on};
 #[cfg(feature = "cli")]

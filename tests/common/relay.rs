@@ -140,9 +140,12 @@ impl Generator {
         let nodes = ["left", "right", "n1", "n2", "n3"];
         let nodes = &nodes[..4 + self.random.usize(..2)];
         let mut text = "net { left -> n1 : ".to_owned() + &self.looks(1);
-        for (from, arrow, to) in
-            [("left", "->", "n2"), ("n1", "<->", "n2"), ("n1", "->", "right"), ("n2", "->", "right")]
-        {
+        for (from, arrow, to) in [
+            ("left", "->", "n2"),
+            ("n1", "<->", "n2"),
+            ("n1", "->", "right"),
+            ("n2", "->", "right"),
+        ] {
             write!(text, " {from} {arrow} {to} : {}", self.looks(1)).unwrap();
         }
         for node in &nodes[4..] {

@@ -299,7 +299,9 @@ impl Compiler<'_> {
         names.extend((0..taps.len()).map(|tap| format!("{name}, tap {tap}")));
         let first = self.layout.presets(&names, self.instance(call.instance).span);
         let first = self.limit(first)?;
-        for (register, value) in (first..).zip([preset].into_iter().chain(taps.iter().map(|&tap| tap as u16))) {
+        for (register, value) in
+            (first..).zip([preset].into_iter().chain(taps.iter().map(|&tap| tap as u16)))
+        {
             if value != 0 {
                 self.rom.registers.insert(register, value);
             }

@@ -8,10 +8,12 @@ use std::collections::HashSet;
 
 use super::encode::fit;
 use super::layout::{Layout, full};
+use super::listing::{Symbols, listing};
 use super::rom::Rom;
 use super::tree::{Contact, Tree};
 use super::usage;
 use super::word::{Address, CODE_WORDS, Operation, Prefix, Word};
+use crate::backend::hdl::Harmless;
 use crate::diagnostic::{Diagnostic, code};
 use crate::model::{CoilAction, Edge, Element, InstanceId, Program, Role, VariableId};
 use crate::source::Span;
@@ -26,6 +28,27 @@ pub struct Image {
     pub layout: Layout,
     /// For each word the index of the rung that it comes from; nothing for what the compiler adds.
     pub rungs: Vec<Option<usize>>,
+}
+
+impl Image {
+    /// The listing with the names of the program and its rungs.
+    pub fn listing(&self, program: &Program, source: &str) -> String {
+        let heading = |at: usize| {
+            let rung = self.rungs[at];
+            let first = at == 0 || self.rungs[at - 1] != rung;
+            let rung = rung.filter(|_| first)?;
+            let meant = &program.rungs[rung];
+            let title =
+                meant.title.as_ref().map(|title| format!(" \"{}\"", Harmless::unicode(title)));
+            Some(format!("rung {}{}, {source}:{}", rung + 1, title.unwrap_or_default(), meant.line))
+        };
+        let symbols = Symbols {
+            bit: &|address| self.layout.bit_names.get(&address).cloned(),
+            register: &|register| self.layout.register_names.get(&register).cloned(),
+            heading: &heading,
+        };
+        listing(&self.rom, &symbols)
+    }
 }
 
 /// Compiles a checked program for the processor.
@@ -378,12 +401,7 @@ impl Compiler<'_> {
     }
 
     /// Branches with outputs in them: each is worked out in its turn.
-    fn list(
-        &mut self,
-        branches: &[Vec<Element>],
-        power: Power,
-        wanted: bool,
-    ) -> Done<Power> {
+    fn list(&mut self, branches: &[Vec<Element>], power: Power, wanted: bool) -> Done<Power> {
         let writes = |compiler: &Self, branches: &[Vec<Element>]| {
             let mut written = Vec::new();
             branches.iter().flatten().for_each(|element| compiler.written(element, &mut written));

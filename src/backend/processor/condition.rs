@@ -2,7 +2,7 @@
 
 use super::compile::{Compiler, Done, Power};
 use super::tree::{Contact, Tree};
-use super::word::{Operation, ONE};
+use super::word::{ONE, Operation};
 use crate::model::{BinaryOp, Expr, ExprKind, Relation, VariableId};
 use crate::source::Span;
 use crate::types::Type;
@@ -49,7 +49,8 @@ impl Compiler<'_> {
     /// contacts first.
     fn differ(&mut self, a: Tree, b: Tree) -> Done<Tree> {
         let (a, b) = (self.single(Power::Drawn(a))?, self.single(Power::Drawn(b))?);
-        let not = |contact: Contact| Tree::Contact(Contact { negated: !contact.negated, ..contact });
+        let not =
+            |contact: Contact| Tree::Contact(Contact { negated: !contact.negated, ..contact });
         Ok(Tree::parallel([
             Tree::series([Tree::Contact(a), not(b)]),
             Tree::series([not(a), Tree::Contact(b)]),

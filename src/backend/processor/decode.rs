@@ -5,7 +5,8 @@ use super::word::{Attribute, Word};
 
 /// The contacts of a circuit; nothing if no nesting of series and parallel has these links.
 pub fn decode(words: &[Word]) -> Option<Tree> {
-    let mut circuit = Circuit { nodes: vec![Node { before: 0, part: Tree::WIRE }], ..Circuit::default() };
+    let mut circuit =
+        Circuit { nodes: vec![Node { before: 0, part: Tree::WIRE }], ..Circuit::default() };
     for word in words {
         let Word::Contact { negated, attribute, address } = *word else { return None };
         circuit.contact(attribute, Contact { address, negated })?;

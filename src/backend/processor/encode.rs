@@ -55,7 +55,11 @@ fn ordered(tree: &Tree, ends: u32, level: u32) -> Tree {
             list.sort_by_key(|branch| branch.height());
             let deepest = list.pop();
             let next = list.pop();
-            let (first, last) = if ends.checked_shr(level).unwrap_or(0) & 1 == 0 { (deepest, next) } else { (next, deepest) };
+            let (first, last) = if ends.checked_shr(level).unwrap_or(0) & 1 == 0 {
+                (deepest, next)
+            } else {
+                (next, deepest)
+            };
             let all = first.into_iter().chain(list).chain(last);
             Tree::Parallel(all.map(|branch| ordered(branch, ends, level + 1)).collect())
         }

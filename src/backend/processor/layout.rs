@@ -2,9 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use super::rom::{Pins, region};
-use super::word::{Address, DRUMS, FIRST_COUNT, FIRST_FLAG, FIRST_OUTPUT, ONE, REGISTERS, SHIFTS, UNITS};
 use super::function::free_registers;
+use super::rom::{Pins, region};
+use super::word::{
+    Address, DRUMS, FIRST_COUNT, FIRST_FLAG, FIRST_OUTPUT, ONE, REGISTERS, SHIFTS, UNITS,
+};
 use crate::diagnostic::{Diagnostic, code};
 use crate::index::index;
 use crate::model::{Program, Role, VariableId};
@@ -84,7 +86,12 @@ impl Layout {
     }
 
     /// The first of so many free addresses in a row of the region that begins at `first`.
-    fn free_bits(&self, first: Address, count: u16, span: Span) -> Result<Address, Box<Diagnostic>> {
+    fn free_bits(
+        &self,
+        first: Address,
+        count: u16,
+        span: Span,
+    ) -> Result<Address, Box<Diagnostic>> {
         let end = match first {
             0 => FIRST_OUTPUT,
             FIRST_OUTPUT => FIRST_FLAG,

@@ -200,7 +200,9 @@ impl Check {
     }
 
     fn function(&mut self, operation: Operation, coil: Address) {
-        let Some(register) = self.register else { return self.fault(FaultKind::Missing("REGISTER")) };
+        let Some(register) = self.register else {
+            return self.fault(FaultKind::Missing("REGISTER"));
+        };
         let (class, units, numbers) = match operation {
             Operation::TimerSeconds
             | Operation::TimerTenths
