@@ -70,9 +70,24 @@ impl Type {
         matches!(self, Type::Int | Type::Dint | Type::Time)
     }
 
+    /// True for whole numbers without a unit: indexes, amounts of shifts.
+    pub fn is_integer(self) -> bool {
+        matches!(self, Type::Int | Type::Uint | Type::Dint | Type::Udint)
+    }
+
+    /// True for bit patterns, single bits aside.
+    pub fn is_pattern(self) -> bool {
+        matches!(self, Type::Word | Type::Dword)
+    }
+
+    /// True for the types whose bits have numbers: `x.5`.
+    pub fn has_bits(self) -> bool {
+        self.is_integer() || self.is_pattern()
+    }
+
     /// True for the types that `+` and `-` take.
     pub fn is_number(self) -> bool {
-        matches!(self, Type::Int | Type::Uint | Type::Dint | Type::Udint | Type::Time)
+        self.is_integer() || self == Type::Time
     }
 
     /// The smallest and the largest value.

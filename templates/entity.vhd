@@ -24,6 +24,9 @@ architecture rtl of {{ view.module.name }} is
   signal {{ wire.name }} : {{ wire.subtype() }};
 {%- endfor %}
 begin
+{%- for element in view.elements() %}
+  {{ element.wire.name }} <= {{ element.part.inside() }};
+{%- endfor %}
 {%- for statement in view.statements() %}
 {%- match statement %}
 {%- when Statement::Section(comment) %}
@@ -43,8 +46,8 @@ begin
 {%- endfor %}
 {%- if view.has_outputs() %}
 {% endif %}
-{%- for (name, value) in view.outputs() %}
-  {{ name }} <={{ value }};
+{%- for (part, value) in view.outputs() %}
+  {{ part.vhdl() }} <={{ value }};
 {%- endfor %}
 {%- if view.has_registers() && view.is_async() %}
 

@@ -20,6 +20,9 @@ module {{ view.module.name }} (
 {%- for register in view.registers() %}
   reg {{ register.range() }}{{ register.name }} = {{ register.start() }};
 {%- endfor %}
+{%- for element in view.elements() %}
+  wire {{ element.wire.range() }}{{ element.wire.name }} = {{ element.part.verilog() }};
+{%- endfor %}
 {%- if view.begins_plain() && view.has_registers() %}
 {% endif %}
 {%- for statement in view.statements() %}
@@ -43,8 +46,8 @@ module {{ view.module.name }} (
 {%- endfor %}
 {%- if view.has_outputs() %}
 {% endif %}
-{%- for (name, value) in view.outputs() %}
-  assign {{ name }} ={{ value }};
+{%- for (part, value) in view.outputs() %}
+  assign {{ part.verilog() }} ={{ value }};
 {%- endfor %}
 {%- if view.has_registers() %}
 

@@ -82,7 +82,7 @@ module {{ bench.name }};
 {%- when LineKind::Expect with (index, place, values) %}
     {{ line.indent }}#1 if (!failed && &expect_{{ index }} !== 1'b1) begin // {{ place }}
     {{ line.indent }}  failed = 1'b1;
-    {{ line.indent }}  $display("{{ FAILED }}{{ index }} conducts %b{% for value in values %} {{ value }}=%b{% endfor %} at %0s", expect_{{ index }}{% for value in values %}, {{ value }}{% endfor %}, "{{ place }}");
+    {{ line.indent }}  $display("{{ FAILED }}{{ index }} conducts %b{% for value in values %} {{ value.label }}=%b{% endfor %} at %0s", expect_{{ index }}{% for value in values %}, {{ value.text }}{% endfor %}, "{{ place }}");
     {{ line.indent }}end
 {%- endmatch %}
 {%- endfor %}

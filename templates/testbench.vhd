@@ -120,7 +120,7 @@ begin
     {{ line.indent }}if not failed and ({% for element in bench.expectations[*index].elements %}{{ element }}{% if !loop.last %} and {% endif %}{% endfor %}) /= '1' then
     {{ line.indent }}  failed := true;
     {{ line.indent }}  print("{{ FAILED }}{{ index }} conducts "{% for element in bench.expectations[*index].elements %} & image({{ element }}){% endfor %}{% for value in values %}
-    {{ line.indent }}      & " {{ value }}=" & image({{ value }}){% endfor %});
+    {{ line.indent }}      & " {{ value.label }}=" & image({{ value.text }}){% endfor %});
     {{ line.indent }}end if;
 {%- endmatch %}
 {%- endfor %}

@@ -65,27 +65,32 @@ module {{ view.ports.wrapper }} (
   end
 {%- endif %}
 {%- for pin in view.pins %}
-{%- if let Some(debounce) = pin.debounce %}
+{%- if let Some(stable) = pin.stable %}
 
   // A new value of {{ pin.port }} passes when it has been there for {{ view.hold() }} at least.
-  reg {{ debounce.stable }} = 1'b0;
+  reg {{ pin.verilog_range() }}{{ stable }} = {{ pin.verilog_zero() }};
 {%- if let Some(counter) = view.debounce %}
+{%- for debounce in pin.debounced %}
+{%- let bit = debounce.bit %}
+{%- let stable = pin.verilog(stable, bit) %}
+{%- let sync = pin.verilog(pin.sync, bit) %}
   reg {{ counter.verilog_range() }}{{ debounce.count }} = {{ counter.verilog_zero() }};
   always @({{ view.verilog_edges() }}) begin
     if ({{ view.verilog_is_reset() }}) begin
-      {{ debounce.stable }} <= 1'b0;
+      {{ stable }} <= 1'b0;
       {{ debounce.count }} <= {{ counter.verilog_zero() }};
-    end else if ({{ pin.sync }} == {{ debounce.stable }}) begin
+    end else if ({{ sync }} == {{ stable }}) begin
       {{ debounce.count }} <= {{ counter.verilog_zero() }};
     end else if ({{ tick }}) begin
       if ({{ debounce.count }} == {{ counter.verilog_last() }}) begin
-        {{ debounce.stable }} <= {{ pin.sync }};
+        {{ stable }} <= {{ sync }};
         {{ debounce.count }} <= {{ counter.verilog_zero() }};
       end else begin
         {{ debounce.count }} <= {{ debounce.count }} + {{ counter.verilog_one() }};
       end
     end
   end
+{%- endfor %}
 {%- endif %}
 {%- endif %}
 {%- endfor %}

@@ -36,10 +36,12 @@ architecture rtl of {{ view.ports.wrapper }} is
   signal {{ pin.sync }} : {{ pin.vhdl_type() }} := {{ pin.vhdl_zero() }};
   attribute async_reg of {{ pin.meta }} : signal is "TRUE";
   attribute async_reg of {{ pin.sync }} : signal is "TRUE";
-{%- if let Some(debounce) = pin.debounce %}
-  signal {{ debounce.stable }} : std_logic := '0';
+{%- if let Some(stable) = pin.stable %}
+  signal {{ stable }} : {{ pin.vhdl_type() }} := {{ pin.vhdl_zero() }};
 {%- if let Some(counter) = view.debounce %}
+{%- for debounce in pin.debounced %}
   signal {{ debounce.count }} : unsigned({{ counter.vhdl_high() }} downto 0) := (others => '0');
+{%- endfor %}
 {%- endif %}
 {%- endif %}
 {%- endfor %}
@@ -111,38 +113,43 @@ begin
   end process;
 {%- endif %}
 {%- for pin in view.pins %}
-{%- if let Some(debounce) = pin.debounce %}
+{%- if let Some(stable) = pin.stable %}
 
   -- A new value of {{ pin.port }} passes when it has been there for {{ view.hold() }} at least.
+{%- if let Some(counter) = view.debounce %}
+{%- for debounce in pin.debounced %}
+{%- let bit = debounce.bit %}
+{%- let stable = pin.vhdl(stable, bit) %}
+{%- let sync = pin.vhdl(pin.sync, bit) %}
   process ({{ view.vhdl_sensitivity() }})
   begin
     if rising_edge(clk) then
-{%- if let Some(counter) = view.debounce %}
-      if {{ pin.sync }} = {{ debounce.stable }} then
+      if {{ sync }} = {{ stable }} then
         {{ debounce.count }} <= (others => '0');
       elsif {{ tick }} = '1' then
         if {{ debounce.count }} = {{ counter.vhdl_last() }} then
-          {{ debounce.stable }} <= {{ pin.sync }};
+          {{ stable }} <= {{ sync }};
           {{ debounce.count }} <= (others => '0');
         else
           {{ debounce.count }} <= {{ debounce.count }} + 1;
         end if;
       end if;
-{%- endif %}
 {%- if view.is_async() %}
     end if;
     if {{ view.vhdl_is_reset() }} then
-      {{ debounce.stable }} <= '0';
+      {{ stable }} <= '0';
       {{ debounce.count }} <= (others => '0');
     end if;
 {%- else %}
       if {{ view.vhdl_is_reset() }} then
-        {{ debounce.stable }} <= '0';
+        {{ stable }} <= '0';
         {{ debounce.count }} <= (others => '0');
       end if;
     end if;
 {%- endif %}
   end process;
+{%- endfor %}
+{%- endif %}
 {%- endif %}
 {%- endfor %}
 

@@ -280,3 +280,92 @@ fn a_down_counter_starts_at_its_preset() {
         assert_eq!(run_test(&program, test), Outcome::Passed, "{}", test.title);
     }
 }
+
+/// What no diagram of a single call shows: calls that share an instance, and members that a program
+/// assigns. Each expectation is worked out from the manuals by hand.
+#[test]
+fn programs_of_other_makers_blocks() {
+    let text = "ladder others
+        tick 5ms
+        input a, b, c, d
+        output y
+        var size : INT := 3
+        rung a both:AB_CTU(PRE := 2, ACC := 32767)
+        rung b both:AB_CTD()
+        rung c (R both)
+        rung a low:AB_CTD(PRE := 0, ACC := -32768)
+        rung b low:AB_CTU()
+        rung a slow:AB_RTO(PRE := size, BASE := 10ms)
+        rung c { slow.ACC := 0 }
+        rung d { slow.ACC := 1 }
+        rung b { size := 9 }
+        rung a off:AB_TOF(PRE := size + 1)
+        rung a units:T_01(PV := 2)
+        rung d ( !units.EN )
+        rung d (S y)
+        test \"the two calls of a counter share its count and its bits\"
+            expect { both.ACC = 32767 } !both.DN !both.CU !both.CD
+            scan
+            expect both.DN !both.OV !both.UN
+            a := 1  scan
+            expect { both.ACC = -32768 } both.OV !both.UN !both.DN both.CU
+            b := 1  scan
+            expect { both.ACC = 32767 } !both.OV !both.UN both.DN both.CD
+            c := 1  scan
+            expect { both.ACC = 0 } !both.OV !both.DN !both.CU !both.CD
+            c := 0  scan                // both are held and count once more: up, then down
+            expect { both.ACC = 0 } both.CU both.CD !both.UN
+        test \"and the other way round\"
+            scan
+            a := 1  scan
+            expect { low.ACC = 32767 } low.UN !low.OV
+            b := 1  scan
+            expect { low.ACC = -32768 } !low.UN !low.OV
+        test \"an assignment of 0 clears the fraction too\"
+            a := 1  scan  wait 15ms
+            expect { slow.ACC = 1 }
+            c := 1  scan
+            expect { slow.ACC = 0 }
+            c := 0  wait 5ms
+            expect { slow.ACC = 0 }
+            wait 5ms
+            expect { slow.ACC = 1 }
+            c := 1  scan  c := 0
+            wait 5ms
+            c := 1  scan  c := 0        // 0 already, and half a unit
+            wait 5ms
+            expect { slow.ACC = 0 }
+            wait 5ms
+            expect { slow.ACC = 1 }
+        test \"an assignment of another number does not\"
+            a := 1  scan  wait 5ms
+            d := 1  scan  d := 0
+            expect { slow.ACC = 1 }
+            wait 5ms
+            expect { slow.ACC = 2 }
+        test \"starts are taken at reset and stay when their variables change\"
+            expect { slow.PRE = 3 } { off.PRE = 4 } { off.ACC = 4 } !off.DN
+            b := 1  scan
+            expect { size = 9 } { slow.PRE = 3 } { off.PRE = 4 } { off.ACC = 4 }
+        test \"a pulse comes with every second tick, whatever the power does\"
+            wait 5ms
+            a := 1  scan
+            wait 5ms
+            expect { units.ACC = 1 }
+            wait 5ms
+            expect { units.ACC = 1 }
+            wait 5ms
+            expect { units.ACC = 2 } units.Q !units.QN
+        test \"an enable circuit that the call leaves out can be a coil\"
+            expect units.EN
+            a := 1  scan  wait 10ms
+            expect { units.ACC = 1 } units.EN
+            d := 1  scan  scan
+            expect !units.EN { units.ACC = 0 }";
+    let source = Source::new("others.ladder", text);
+    let (program, findings) = hotrail::analyze(&source);
+    let program = program.unwrap_or_else(|| panic!("{findings:?}"));
+    for test in &program.tests {
+        assert_eq!(run_test(&program, test), Outcome::Passed, "{}", test.title);
+    }
+}

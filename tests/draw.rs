@@ -31,7 +31,7 @@ fn for_all(mut check: impl FnMut(&str, &Program, &Drawing)) {
         .map(|example| (example.name(), std::fs::read_to_string(&example.ladder).unwrap()))
         .collect();
     programs.push(("every_shape".to_owned(), EVERY_SHAPE.to_owned()));
-    let seeds = amount("HOTRAIL_RANDOM_PROGRAMS", 1000);
+    let seeds = amount("HOTRAIL_RANDOM_PROGRAMS", 1000) / 10;
     programs.extend((0..seeds).map(|seed| (format!("seed {seed}"), generate::program(seed))));
     for (index, (name, text)) in programs.iter().enumerate() {
         let widths = [NARROWEST, 81 + index % 40, 250];
@@ -165,6 +165,7 @@ impl Meant<'_> {
                 Some(_) => Effect::Gives(random),
                 None => Effect::Passes(true),
             },
+            Element::Net(_) => Effect::Gives(random),
             _ => Effect::Passes(true),
         });
         self.powers.push((power, 0));
@@ -173,6 +174,12 @@ impl Meant<'_> {
                 .iter()
                 .map(|branch| self.series(branch, power))
                 .fold(false, |any, power| any | power),
+            Element::Net(net) => {
+                for connection in &net.connections {
+                    self.series(&connection.network, true);
+                }
+                self.leaves(number, power)
+            }
             Element::Call(call) => {
                 for argument in &call.arguments {
                     if let ArgumentValue::Network(network) = &argument.value {
@@ -240,6 +247,9 @@ fn count_model(series: &Series, count: &mut Count) {
             Element::OneShot { .. } | Element::Invert => count.operators += 1,
             Element::Parallel(branches) => {
                 branches.iter().for_each(|branch| count_model(branch, count));
+            }
+            Element::Net(net) => {
+                net.connections.iter().for_each(|c| count_model(&c.network, count));
             }
             Element::Call(call) => {
                 for argument in &call.arguments {

@@ -100,7 +100,7 @@ fn expected(design: &Design, stimulus: &[Vec<u64>]) -> String {
 #[test]
 fn simulators_agree_with_the_circuit() {
     for seed in 1..=amount("HOTRAIL_RANDOM_DESIGNS", 6) {
-        let design = designs::random(seed);
+        let design = designs::random_with_products(seed);
         let folder = tempfile::tempdir().expect("can make a folder");
         print_into(folder.path(), &design, ResetStyle::SyncHigh);
         let stimulus = stimulus(&design, 40);

@@ -219,3 +219,24 @@ fn findings_stand_in_the_order_of_the_text() {
     let text = "ladder demo\ninput a, b\nvar m\noutput y\nrung a ( y )\nrung a ( y )\nvar k";
     assert_eq!(found(text), "W0103 b, W0101 m, W0301 ( y ), W0101 k");
 }
+
+#[test]
+fn at_the_rail_a_not_or_a_one_shot_acts_on_nothing() {
+    for (rung, place) in [
+        ("rung not a ( z )", "W0310 not"),
+        ("rung rising a ( z )", "W0310 rising"),
+        ("rung [ a | falling b ] ( z )", "W0310 falling"),
+        ("rung [ a | not [ b | not a ] ] ( z )", "W0310 not"),
+        ("rung ( z ) not b ( w )", "W0310 not"),
+        ("rung a c:CTU(R := not b, PV := 3) ( z )", "W0310 not"),
+        ("rung a c:CTU(R := [ b | rising ], PV := 3) ( z )", "W0310 rising"),
+        ("rung a not b ( z )", ""),
+        ("rung a [ b | not ] ( z )", ""),
+        ("rung [ a | b ] rising ( z )", ""),
+        ("rung t:TON(PT := 1s) not ( z )", ""),
+        ("rung a c:CTU(R := b not, PV := 3) ( z )", ""),
+    ] {
+        let w = if rung.contains("( w )") { ", w" } else { "" };
+        assert_eq!(demo(&format!("output z{w}\n{rung}")), place, "{rung}");
+    }
+}

@@ -122,7 +122,7 @@ fn explain_prints_the_page_of_a_code_or_name() {
         assert!(output.status.success());
         assert_eq!(String::from_utf8(output.stdout).unwrap(), code::DOUBLE_COIL.page());
     }
-    let unknown = explain(&["W0310"]);
+    let unknown = explain(&["W0331"]);
     assert_eq!(unknown.status.code(), Some(2));
     let text = String::from_utf8(unknown.stderr).unwrap();
     assert!(text.contains("is W0301 meant?"), "{text}");

@@ -2,6 +2,9 @@
 
 use std::process::Command;
 
+use hotrail::draw::{self, Drawing, Glyphs};
+use hotrail::source::Source;
+
 const README: &str = include_str!("../README.md");
 
 /// The blocks of a language in the README.
@@ -28,6 +31,25 @@ fn the_main_job_runs_as_printed() {
         let golden = std::fs::read_to_string(format!("examples/start_stop/golden/{file}")).unwrap();
         assert_eq!(built, golden, "{file}");
     }
+}
+
+/// The drawing is that of the ladder in the README, the picture that of the example.
+#[test]
+fn drawings_are_what_is_drawn() {
+    let [ladder] = blocks("ladder")[..] else { panic!("the README shows one ladder") };
+    let draw = |name: &str, text: &str, width| {
+        Drawing::new(&Source::new(name, text), &draw::Options { width })
+    };
+    let drawn = draw("start_stop.ladder", ladder, 80).text(Glyphs::Unicode);
+    let (_, rungs) = drawn.split_once("\n\n").unwrap();
+    assert_eq!(blocks("text"), [rungs]);
+    let page = std::fs::read_to_string("docs/drawing.md").unwrap();
+    assert!(page.contains(rungs), "docs/drawing.md does not show\n{rungs}");
+    let example = std::fs::read_to_string("examples/start_stop/start_stop.ladder").unwrap();
+    let picture = std::fs::read_to_string("docs/pictures/start_stop.svg").unwrap();
+    let hint = "hotrail draw examples/start_stop/start_stop.ladder --format svg -o docs/pictures";
+    let now = draw("start_stop.ladder", &example, draw::Options::default().width).svg();
+    assert!(now == picture, "the picture is out of date: {hint}");
 }
 
 #[test]

@@ -2,6 +2,12 @@
 //! documentation, the plain step that the reference evaluator runs, the circuit that becomes
 //! hardware, and timing diagrams that both must follow.
 
+mod ab;
+mod ab_counter;
+mod ab_ons;
+mod ab_rto;
+mod ab_tof;
+mod ab_ton;
 mod ctd;
 mod ctu;
 mod ctud;
@@ -57,6 +63,12 @@ pub const ALL: &[&Block] = &[
     &f_trig::F_TRIG,
     &sr::SR,
     &rs::RS,
+    &ab_ton::AB_TON,
+    &ab_tof::AB_TOF,
+    &ab_rto::AB_RTO,
+    &ab_counter::AB_CTU,
+    &ab_counter::AB_CTD,
+    &ab_ons::AB_ONS,
     &unit_timer::T1_0,
     &unit_timer::T0_1,
     &unit_timer::T_01,

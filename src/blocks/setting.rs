@@ -1,6 +1,6 @@
 //! What a call fixes for good: words, units of time and lists of constants.
 
-use super::{Block, Follows, Port, Start};
+use super::{Block, Follows, Port, PortRole, Start};
 use crate::types::Type;
 
 /// A parameter that takes a constant and decides how the block is built.
@@ -127,6 +127,22 @@ impl Shape {
     /// The index of the port of that name.
     pub fn port_named(&self, name: &str) -> Option<usize> {
         self.ports.iter().position(|port| port.name == name)
+    }
+
+    /// The unit of time that the block counts instead of ticks, in nanoseconds.
+    pub fn unit_ns(&self, tick_ns: u64) -> Option<u64> {
+        let pulse = self.ports.iter().find_map(|port| match port.role {
+            PortRole::Pulse(unit) => Some(unit),
+            _ => None,
+        });
+        let is_time = |setting: &Setting| matches!(setting.choice, Choice::Time(..));
+        let base = self.block.settings.iter().position(is_time);
+        pulse.or_else(|| base.map(|base| self.chosen[base][0] as u64 * tick_ns))
+    }
+
+    /// The type of a port.
+    pub fn ty(&self, port: &str) -> Type {
+        self.ports[self.expect_port(port)].ty
     }
 
     /// The index of the output that goes on to the right, if it is not the power itself.

@@ -3,11 +3,12 @@
 use std::sync::Arc;
 
 use super::names::Entity;
-use super::network::Place;
+use super::network::Site;
 use super::{Checked, Checker, Reported};
 use crate::blocks::{self, Shape};
 use crate::diagnostic::{Diagnostic, code, shortened, similar_name};
 use crate::model::{Argument, ArgumentValue, Call, Element, ExprKind, InstanceId, VariableId};
+use crate::quantity::{self, time_text};
 use crate::syntax::ast::{self, BinaryOperator, LiteralKind, Series};
 use crate::types::Type;
 
@@ -143,6 +144,12 @@ impl<'s> Checker<'s> {
                 return Err(self.report(diagnostic));
             }
         };
+        if port.ty != Type::Time
+            && let ast::ExprKind::Literal(literal) = expr.kind
+            && literal.kind == LiteralKind::Time
+        {
+            return Err(self.time_for_a_count(shape, port.name, literal));
+        }
         let checked = self.expression(expr, Some(port.ty))?;
         if let ExprKind::Constant(constant) = checked.kind
             && !(low..=high).contains(&constant)
@@ -156,11 +163,32 @@ impl<'s> Checker<'s> {
         Ok(ArgumentValue::Value(checked))
     }
 
+    /// Other makers' timers take a number of units, where IEC timers take a time.
+    fn time_for_a_count(
+        &mut self,
+        shape: &Shape,
+        port: &str,
+        literal: ast::Literal<'s>,
+    ) -> Reported {
+        let unit = shape.unit_ns(self.program.tick_ns).map(i128::from);
+        let help = match (unit, quantity::time_ns(literal.text)) {
+            (Some(unit), Some(ns)) if ns % unit == 0 => {
+                format!("it counts units of {}: {port} := {}", time_text(unit), ns / unit)
+            }
+            (Some(unit), _) => format!("it counts units of {}", time_text(unit)),
+            (None, _) => "write how often it has to count, without a unit".to_owned(),
+        };
+        let message = format!("{port} of {} is a number, not a time", shape.block.name);
+        let diagnostic =
+            Diagnostic::new(code::TYPE_MISMATCH, literal.span, message).label("a time").help(help);
+        self.report(diagnostic)
+    }
+
     /// A network, also where it looks like an expression or a list of constants.
     fn circuit(&mut self, value: &ast::ArgumentValue<'s>) -> Checked<ArgumentValue> {
         let expr = match value {
             ast::ArgumentValue::Network(network) => {
-                return Ok(ArgumentValue::Network(self.series(network, Place::Argument)));
+                return Ok(ArgumentValue::Network(self.series(network, Site::Argument)));
             }
             ast::ArgumentValue::List(items, _) if items.len() == 1 => &items[0],
             ast::ArgumentValue::List(_, span) => {

@@ -1,24 +1,21 @@
-//! Header, clock, variables, constants and block instances.
+//! Header, clock, constants and block instances.
 
 use std::sync::Arc;
 
 use super::names::{Constant, Entity, not_a_constant};
-use super::{Checked, Checker, literal};
+use super::{Checked, Checker};
 use crate::blocks::{self, Shape, Start};
 use crate::diagnostic::{Diagnostic, code, shortened, similar_name};
 use crate::model::{self, ExprKind, Instance, InstanceId, Role, Variable};
 use crate::quantity;
 use crate::source::Span;
-use crate::syntax::ast::{
-    self, Declarator, ElementKind, File, Initial, Item, Series, TypeName, VariableKind, Variables,
-};
+use crate::syntax::ast::{self, ElementKind, File, Item, Series};
 use crate::types::Type;
 
 /// Characters of the longest program name.
 const LONGEST_PROGRAM_NAME: usize = 64;
 /// Kinds of block that people know and that are still to come; a kind that is there is found first.
-const PLANNED_BLOCKS: [&str; 10] =
-    ["AB_TON", "AB_TOF", "AB_RTO", "AB_CTU", "AB_CTD", "AB_ONS", "SHL", "SHR", "RTO", "ONS"];
+const PLANNED_BLOCKS: [&str; 2] = ["SHL", "SHR"];
 const DEFAULT_CLOCK_HZ: u64 = 12_000_000;
 const DEFAULT_TICK_NS: u64 = 1_000_000;
 
@@ -119,132 +116,8 @@ impl<'s> Checker<'s> {
         }
     }
 
-    pub(super) fn declare_variables(&mut self, variables: &Variables<'s>) {
-        let ty = match &variables.ty {
-            None => Ok(Type::Bool),
-            Some(name) => self.type_named(name),
-        };
-        for declarator in &variables.names {
-            let entity = match ty {
-                Ok(ty) => self.variable(variables.kind, declarator, ty),
-                Err(_) => Entity::Broken,
-            };
-            if let Err(diagnostic) = self.names.declare(declarator.name, entity) {
-                self.report(*diagnostic);
-            }
-        }
-    }
-
-    fn type_named(&mut self, name: &TypeName<'s>) -> Checked<Type> {
-        if let Some(length) = &name.length {
-            let diagnostic =
-                Diagnostic::new(code::NOT_YET, length.span, "arrays are not supported yet")
-                    .label("an array")
-                    .help("declare one variable for each element");
-            return Err(self.report(diagnostic));
-        }
-        Type::named(name.name.text).ok_or_else(|| {
-            let names = Type::ALL.map(Type::name);
-            let message = format!("there is no type `{}`", shortened(name.name.text));
-            let help = match similar_name(name.name.text, names) {
-                Some(similar) => format!("is `{similar}` meant?"),
-                None => format!("the types are {}", names.join(", ")),
-            };
-            self.report(
-                Diagnostic::new(code::UNKNOWN_NAME, name.name.span, message)
-                    .label("not a type")
-                    .help(help),
-            )
-        })
-    }
-
-    fn variable(&mut self, kind: VariableKind, declarator: &Declarator<'s>, ty: Type) -> Entity {
-        let role = match kind {
-            VariableKind::Input => Role::Input,
-            VariableKind::Output => Role::Output,
-            VariableKind::Var => Role::Local,
-        };
-        let initial = match &declarator.initial {
-            None => Ok(0),
-            Some(initial) => self.initial_value(role, initial, ty),
-        };
-        let address = match declarator.address {
-            Some(address) => self.address(role, ty, declarator.name, address).map(Some),
-            None => Ok(None),
-        };
-        let (initial, address) = (initial.unwrap_or(0), address.unwrap_or(None));
-        let name = declarator.name.text.into();
-        let span = declarator.name.span;
-        Entity::Variable(self.program.variables.alloc(Variable {
-            name,
-            ty,
-            initial,
-            is_initialised: declarator.initial.is_some(),
-            role,
-            address,
-            span,
-        }))
-    }
-
-    fn initial_value(&mut self, role: Role, initial: &Initial<'s>, ty: Type) -> Checked<i64> {
-        let value = match initial {
-            Initial::Value(value) => value,
-            Initial::List(_, span) => {
-                let message = "a list is for an array";
-                let diagnostic = Diagnostic::new(code::TYPE_MISMATCH, *span, message)
-                    .label("a list")
-                    .help("give one value");
-                return Err(self.report(diagnostic));
-            }
-        };
-        if role == Role::Input {
-            let diagnostic =
-                Diagnostic::new(code::NOT_WRITABLE, value.span, "an input has no initial value")
-                    .label("an input takes what comes from outside")
-                    .help("remove it");
-            return Err(self.report(diagnostic));
-        }
-        self.constant(value, Some(ty)).map(|(_, value)| value)
-    }
-
-    fn address(
-        &mut self,
-        role: Role,
-        ty: Type,
-        name: ast::Name<'s>,
-        literal: ast::Literal<'s>,
-    ) -> Checked<u16> {
-        let (low, high, what) = match role {
-            Role::Input => (0, 255, "inputs"),
-            Role::Output => (256, 511, "outputs"),
-            _ => (512, 1022, "variables"),
-        };
-        let address = literal::integer(literal)
-            .filter(|address| (low..=high).contains(address))
-            .map(|address| address as u16);
-        let problem = |message: String| Diagnostic::new(code::BAD_ADDRESS, literal.span, message);
-        let another = "choose another address, or leave `at` out";
-        let diagnostic = match address {
-            _ if ty != Type::Bool => problem("only a BOOL has an image address".to_owned())
-                .label(format!("the address of a value of type {ty}"))
-                .help("leave `at` out"),
-            None => problem(format!("{what} have the addresses {low} to {high}"))
-                .label("outside that region")
-                .help(another),
-            Some(address) => {
-                let Some(other) = self.addresses.insert(address, name) else { return Ok(address) };
-                self.addresses.insert(address, other);
-                problem(format!("`{}` has this address already", other.text))
-                    .label("taken")
-                    .also(other.span, "has the same address")
-                    .help(another)
-            }
-        };
-        Err(self.report(diagnostic))
-    }
-
     pub(super) fn declare_constant(&mut self, constant: &ast::Constant<'s>) {
-        let ty = constant.ty.as_ref().map(|name| self.type_named(name)).transpose();
+        let ty = constant.ty.as_ref().map(|name| self.scalar_type(name)).transpose();
         let value = ty.and_then(|ty| {
             let untyped = ty.is_none() && self.takes_any_type(&constant.value);
             let (ty, value) = if untyped {

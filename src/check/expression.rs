@@ -2,22 +2,25 @@
 
 use super::names::{Constant, Entity};
 use super::reference::Resolved;
-use super::{Checked, Checker, literal};
+use super::{Checked, Checker, Reported, literal};
 use crate::diagnostic::{Diagnostic, code};
 use crate::model::{BinaryOp, Expr, ExprKind, Relation};
 use crate::source::Span;
 use crate::syntax::ast::{self, BinaryOperator, LiteralKind, Reference, UnaryOperator};
 use crate::types::Type;
 
-fn arithmetic(operator: BinaryOperator) -> Option<BinaryOp> {
+pub(super) fn arithmetic(operator: BinaryOperator) -> Option<BinaryOp> {
     match operator {
         BinaryOperator::Add => Some(BinaryOp::Add),
         BinaryOperator::Subtract => Some(BinaryOp::Subtract),
+        BinaryOperator::Multiply => Some(BinaryOp::Multiply),
+        BinaryOperator::Divide => Some(BinaryOp::Divide),
+        BinaryOperator::Modulo => Some(BinaryOp::Modulo),
         _ => None,
     }
 }
 
-fn bitwise(operator: BinaryOperator) -> Option<BinaryOp> {
+pub(super) fn bitwise(operator: BinaryOperator) -> Option<BinaryOp> {
     match operator {
         BinaryOperator::And => Some(BinaryOp::And),
         BinaryOperator::Or => Some(BinaryOp::Or),
@@ -53,12 +56,8 @@ impl<'s> Checker<'s> {
             ast::ExprKind::Binary(operator, a, b) => {
                 self.binary(*operator, a, b, expr.span, want)?
             }
-            ast::ExprKind::Function(name, _) => {
-                let message = format!("the function `{}` is not supported yet", name.text);
-                let diagnostic = Diagnostic::new(code::NOT_YET, name.span, message)
-                    .label("a function")
-                    .help("use + and -, comparisons, AND, OR, XOR and NOT");
-                return Err(self.report(diagnostic));
+            ast::ExprKind::Function(name, arguments) => {
+                self.function(*name, arguments, expr.span, want)?
             }
         };
         match want {
@@ -67,7 +66,7 @@ impl<'s> Checker<'s> {
         }
     }
 
-    pub(super) fn mismatch(&mut self, span: Span, found: Type, want: Type) -> super::Reported {
+    pub(super) fn mismatch(&mut self, span: Span, found: Type, want: Type) -> Reported {
         let message = format!("{want} is needed here, this is {found}");
         let diagnostic = Diagnostic::new(code::TYPE_MISMATCH, span, message)
             .label(format!("a value of type {found}"));
@@ -116,9 +115,10 @@ impl<'s> Checker<'s> {
 
     fn read(&mut self, reference: &Reference<'s>, want: Option<Type>) -> Checked<Expr> {
         match self.resolve(reference)? {
-            Resolved::Variable(variable) => {
-                Ok(Expr { ty: self.program.variables[variable].ty, kind: ExprKind::Read(variable) })
+            Resolved::Place(place) => {
+                Ok(Expr { ty: place.ty(&self.program), kind: ExprKind::Read(place) })
             }
+            Resolved::Array(array) => Err(self.array_is_no_value(array, reference)),
             Resolved::Constant(Constant { ty: None, .. }) if want == Some(Type::Time) => {
                 Err(self.mismatch(reference.span(), Type::Dint, Type::Time))
             }
@@ -186,29 +186,67 @@ impl<'s> Checker<'s> {
                 }
             });
         }
-        let Some(op) = arithmetic(operator).or_else(|| bitwise(operator)) else {
-            let diagnostic =
-                Diagnostic::new(code::NOT_YET, span, "*, / and MOD are not supported yet")
-                    .label("a multiplication or division")
-                    .help("use + and -");
-            return Err(self.report(diagnostic));
+        if let Some(op) = bitwise(operator) {
+            let (a, b) = self.operands(a, b, want)?;
+            self.bits_only(a.ty, span)?;
+            return Ok(combine(op, a, b));
+        }
+        let op = arithmetic(operator).expect("every other operator is arithmetic");
+        let (a, b) = match op {
+            BinaryOp::Multiply | BinaryOp::Divide => self.factors(op, a, b, want)?,
+            _ => self.operands(a, b, want)?,
         };
-        let (a, b) = self.operands(a, b, want)?;
-        match op {
-            BinaryOp::Add | BinaryOp::Subtract => self.numbers_only(a.ty, span)?,
-            BinaryOp::And | BinaryOp::Or | BinaryOp::Xor => self.bits_only(a.ty, span)?,
+        match (op, a.ty, b.ty) {
+            (BinaryOp::Multiply | BinaryOp::Divide, Type::Time, Type::Time)
+            | (BinaryOp::Modulo, Type::Time, _) => return Err(self.not_by_a_time(span)),
+            _ => self.numbers_only(a.ty, span)?,
         }
         Ok(combine(op, a, b))
     }
 
+    /// The operands of `*` or `/`: of one type, or a `TIME` and an integer, in this order.
+    fn factors(
+        &mut self,
+        op: BinaryOp,
+        a: &ast::Expr<'s>,
+        b: &ast::Expr<'s>,
+        want: Option<Type>,
+    ) -> Checked<(Expr, Expr)> {
+        // If a TIME is wanted, either side may be an integer.
+        let want = want.filter(|&want| want != Type::Time);
+        let of_other = |other: &Checked<Expr>| match other {
+            Ok(Expr { ty: Type::Time, .. }) | Err(Reported) => None,
+            Ok(other) => Some(other.ty),
+        };
+        let (left, right) = if self.adapts(a) && !self.adapts(b) {
+            let right = self.expression(b, want);
+            (self.expression(a, of_other(&right)), right)
+        } else {
+            let left = self.expression(a, want);
+            let adapts = self.adapts(b);
+            let right = self.expression(b, of_other(&left).filter(|_| adapts));
+            (left, right)
+        };
+        match (left?, right?) {
+            (time, factor) if time.ty == Type::Time && factor.ty.is_integer() => Ok((time, factor)),
+            (factor, time)
+                if op == BinaryOp::Multiply && time.ty == Type::Time && factor.ty.is_integer() =>
+            {
+                Ok((time, factor))
+            }
+            (left, right) if left.ty == right.ty => Ok((left, right)),
+            (left, right) => Err(self.mismatch(b.span, right.ty, left.ty)),
+        }
+    }
+
     /// Two operands of one type. Both are checked even if one is wrong.
-    fn operands(
+    pub(super) fn operands(
         &mut self,
         a: &ast::Expr<'s>,
         b: &ast::Expr<'s>,
         want: Option<Type>,
     ) -> Checked<(Expr, Expr)> {
-        if self.takes_any_type(a) && !self.takes_any_type(b) {
+        if self.adapts(a) && !self.adapts(b) {
             let right = self.expression(b, want);
             let left = self.expression(a, right.as_ref().ok().map(|right| right.ty));
             return Ok((left?, right?));
@@ -239,7 +277,7 @@ impl<'s> Checker<'s> {
         if ty.is_number() {
             return Ok(());
         }
-        let message = format!("{ty} values cannot be added or subtracted");
+        let message = format!("{ty} values take no arithmetic");
         let diagnostic = Diagnostic::new(code::TYPE_MISMATCH, span, message)
             .label(format!("of type {ty}"))
             .help(match ty {
@@ -249,8 +287,16 @@ impl<'s> Checker<'s> {
         Err(self.report(diagnostic))
     }
 
-    fn bits_only(&mut self, ty: Type, span: Span) -> Checked<()> {
-        if matches!(ty, Type::Bool | Type::Word | Type::Dword) {
+    fn not_by_a_time(&mut self, span: Span) -> Reported {
+        let message = "a TIME is multiplied or divided by an integer only";
+        let diagnostic = Diagnostic::new(code::TYPE_MISMATCH, span, message)
+            .label("of two values of type TIME")
+            .help("TO_DINT gives the number of ticks, for instance: TO_DINT(t) / TO_DINT(u)");
+        self.report(diagnostic)
+    }
+
+    pub(super) fn bits_only(&mut self, ty: Type, span: Span) -> Checked<()> {
+        if ty == Type::Bool || ty.is_pattern() {
             return Ok(());
         }
         let message = format!("{ty} values have no AND, OR, XOR and NOT");

@@ -3,6 +3,7 @@
 mod call;
 mod declare;
 mod expression;
+mod function;
 mod literal;
 mod names;
 mod net;
@@ -11,6 +12,7 @@ mod number;
 mod reference;
 mod settings;
 mod test;
+mod variables;
 
 use std::collections::HashMap;
 

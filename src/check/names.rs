@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
 use crate::diagnostic::{Diagnostic, code, shortened, similar_name};
-use crate::model::{InstanceId, VariableId};
+use crate::model::{ArrayId, InstanceId, VariableId};
 use crate::source::Span;
 use crate::syntax::ast::Name;
 use crate::types::Type;
@@ -18,6 +18,7 @@ const MOST_SUGGESTIONS: usize = 20;
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Entity {
     Variable(VariableId),
+    Array(ArrayId),
     Constant(Constant),
     Instance(InstanceId),
     /// Declared, but wrongly: uses are not reported again.

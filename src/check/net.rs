@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::network::Place;
+use super::network::Site;
 use super::{Checked, Checker};
 use crate::diagnostic::{Diagnostic, code, shortened, similar_name};
 use crate::model::{Connection, Net, Node};
@@ -27,7 +27,7 @@ impl<'s> Checker<'s> {
         for connection in &net.connections {
             // All of it is looked at, so that each mistake is found in one run.
             let found = self.diagnostics.len();
-            let network = self.series(&connection.network, Place::Connection);
+            let network = self.series(&connection.network, Site::Connection);
             let ends = [connection.from, connection.to]
                 .map(|name| nodes.number(name).map_err(|diagnostic| self.report(*diagnostic)).ok());
             let span = connection.from.span.to(connection.to.span);

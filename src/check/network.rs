@@ -4,15 +4,15 @@ use super::reference::Resolved;
 use super::{Checked, Checker, Reported};
 use crate::diagnostic::{Diagnostic, code};
 use crate::model::{
-    self, CoilAction, Element, Expr, ExprKind, Relation, Role, Variable, VariableId,
+    self, CoilAction, Element, Expr, ExprKind, Place, Relation, Role, Variable, VariableId,
 };
 use crate::source::Span;
-use crate::syntax::ast::{self, Edge, ElementKind, Reference, Rung, Series};
+use crate::syntax::ast::{self, BinaryOperator, Edge, ElementKind, Reference, Rung, Series};
 use crate::types::Type;
 
 /// Where a network stands, which decides what may stand in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Place {
+pub(super) enum Site {
     /// A rung: everything.
     Rung,
     /// An argument of a call: no outputs, no blocks.
@@ -33,7 +33,7 @@ impl<'s> Checker<'s> {
             self.report(diagnostic);
             return Vec::new();
         };
-        let network = self.series(&rung.network, Place::Rung);
+        let network = self.series(&rung.network, Site::Rung);
         if !has_output(&rung.network) {
             let diagnostic = Diagnostic::new(
                 code::NO_OUTPUT,
@@ -53,6 +53,12 @@ impl<'s> Checker<'s> {
                          `{one_shot} (y)` or `({contact} y)`"
                     ))
                 }
+                ElementKind::Compare(expr) => match assigned(expr) {
+                    Some(name) => diagnostic
+                        .also(last.span, "a comparison")
+                        .help(format!("to write `{name}`, assign with `:=`: {{ {name} := ... }}")),
+                    None => diagnostic,
+                },
                 _ => diagnostic,
             };
             self.report(diagnostic);
@@ -62,7 +68,7 @@ impl<'s> Checker<'s> {
 
     /// A series of elements. What is wrong is reported and left out, so the result counts only if
     /// nothing was.
-    pub(super) fn series(&mut self, series: &Series<'s>, place: Place) -> model::Series {
+    pub(super) fn series(&mut self, series: &Series<'s>, site: Site) -> model::Series {
         if series.elements.is_empty() {
             let diagnostic = Diagnostic::new(code::EMPTY_BRANCH, series.span, "a branch is empty")
                 .label("nothing stands here")
@@ -71,7 +77,7 @@ impl<'s> Checker<'s> {
         }
         let mut elements = Vec::with_capacity(series.elements.len());
         for element in &series.elements {
-            let Ok(element) = self.element(element, place) else { continue };
+            let Ok(element) = self.element(element, site) else { continue };
             let entailed = self.entailed(&element);
             elements.push(element);
             elements.extend(entailed);
@@ -79,22 +85,22 @@ impl<'s> Checker<'s> {
         elements
     }
 
-    fn element(&mut self, element: &ast::Element<'s>, place: Place) -> Checked<Element> {
-        self.check_place(element, place)?;
+    fn element(&mut self, element: &ast::Element<'s>, site: Site) -> Checked<Element> {
+        self.check_site(element, site)?;
         Ok(match &element.kind {
             ElementKind::Constant(value) => Element::Constant(*value),
             ElementKind::FirstScan { negated } => {
-                let variable = self.first_scan(element.span);
-                Element::Contact { variable, negated: *negated, span: element.span }
+                let place = self.first_scan(element.span).into();
+                Element::Contact { place, negated: *negated, span: element.span }
             }
             ElementKind::Contact { operand, negated } => {
                 self.contact(operand, *negated, element.span)?
             }
             ElementKind::Edge { edge, operand } => match self.bool_operand(operand)? {
-                Operand::Variable(variable) => {
-                    let name = format!("{}_before", self.program.variables[variable].name);
+                Operand::Place(place) => {
+                    let name = format!("{}_before", place.name(&self.program));
                     let memory = self.edge_memory(name, element.span);
-                    Element::Edge { variable, edge: *edge, memory }
+                    Element::Edge { place, edge: *edge, memory }
                 }
                 Operand::Constant(_) => {
                     let message = "a constant has no edge";
@@ -104,9 +110,9 @@ impl<'s> Checker<'s> {
                     return Err(self.report(diagnostic));
                 }
             },
-            ElementKind::Parallel(branches) => Element::Parallel(
-                branches.iter().map(|branch| self.series(branch, place)).collect(),
-            ),
+            ElementKind::Parallel(branches) => {
+                Element::Parallel(branches.iter().map(|branch| self.series(branch, site)).collect())
+            }
             ElementKind::OneShot(edge) => Element::OneShot {
                 edge: *edge,
                 memory: self.edge_memory("power_before".to_owned(), element.span),
@@ -127,7 +133,8 @@ impl<'s> Checker<'s> {
     /// What stands behind a write of a block's accumulator: where it becomes 0, so does the
     /// fraction of a unit that has been counted.
     fn entailed(&self, element: &Element) -> Option<Element> {
-        let &Element::Assign { target, span, .. } = element else { return None };
+        let Element::Assign { target, span, .. } = element else { return None };
+        let (target, span) = (target.declared(), *span);
         let Variable { ty, role: Role::Member(instance, port), .. } =
             self.program.variables[target]
         else {
@@ -137,42 +144,42 @@ impl<'s> Checker<'s> {
         let fraction = instance.shape.port_named(instance.shape.ports[port].fraction?)?;
         let fraction = instance.members[fraction];
         let zero = |ty| Expr { ty, kind: ExprKind::Constant(0) };
-        let written = Expr { ty, kind: ExprKind::Read(target) };
+        let written = Expr { ty, kind: ExprKind::Read(target.into()) };
         let kind = ExprKind::Compare(Relation::Equal, Box::new(written), Box::new(zero(ty)));
         let is_zero = Element::Compare(Expr { ty: Type::Bool, kind }, span);
         let value = zero(self.program.variables[fraction].ty);
-        let clear = Element::Assign { target: fraction, value, span };
+        let clear = Element::Assign { target: fraction.into(), value, span };
         Some(Element::Parallel(vec![vec![is_zero, clear], vec![Element::Constant(true)]]))
     }
 
-    fn check_place(&mut self, element: &ast::Element<'s>, place: Place) -> Checked<()> {
-        let (problem, help) = match (&element.kind, place) {
+    fn check_site(&mut self, element: &ast::Element<'s>, site: Site) -> Checked<()> {
+        let (problem, help) = match (&element.kind, site) {
             (
                 ElementKind::Coil { .. } | ElementKind::Assign { .. } | ElementKind::Call(_),
-                Place::Argument,
+                Site::Argument,
             ) => (
                 "an argument cannot hold outputs and blocks",
                 "put it into a rung of its own and read its result here",
             ),
             (
                 ElementKind::Coil { .. } | ElementKind::Assign { .. } | ElementKind::Call(_),
-                Place::Expectation,
+                Site::Expectation,
             ) => (
                 "an expectation cannot hold outputs and blocks",
                 "name the contacts that must conduct, for instance: expect motor !lamp",
             ),
             (
                 ElementKind::Coil { .. } | ElementKind::Assign { .. } | ElementKind::Call(_),
-                Place::Connection,
+                Site::Connection,
             ) => (
                 "a connection cannot hold outputs and blocks",
                 "put it behind the network, or into a rung of its own",
             ),
-            (ElementKind::OneShot(_) | ElementKind::Invert, Place::Connection) => (
+            (ElementKind::OneShot(_) | ElementKind::Invert, Site::Connection) => (
                 "a connection conducts or not, whatever the power",
                 "use contacts, such as `!x` and `rise(x)`, or put it behind the network",
             ),
-            (ElementKind::Net(_), Place::Connection) => (
+            (ElementKind::Net(_), Site::Connection) => (
                 "a network cannot stand in a connection",
                 "connect the inner nodes here, under names of their own",
             ),
@@ -181,7 +188,7 @@ impl<'s> Checker<'s> {
                 | ElementKind::OneShot(_)
                 | ElementKind::Invert
                 | ElementKind::Net(_),
-                Place::Expectation,
+                Site::Expectation,
             ) => (
                 "an expectation looks at one moment only",
                 "use contacts, comparisons and lists of them",
@@ -201,17 +208,17 @@ impl<'s> Checker<'s> {
         span: Span,
     ) -> Checked<Element> {
         Ok(match self.bool_operand(operand)? {
-            Operand::Variable(variable) => Element::Contact { variable, negated, span },
+            Operand::Place(place) => Element::Contact { place, negated, span },
             Operand::Constant(value) => Element::Constant(value != negated),
         })
     }
 
     fn bool_operand(&mut self, operand: &Reference<'s>) -> Checked<Operand> {
         match self.resolve(operand)? {
-            Resolved::Variable(variable) => {
-                let ty = self.program.variables[variable].ty;
+            Resolved::Place(place) => {
+                let ty = place.ty(&self.program);
                 if ty == Type::Bool {
-                    return Ok(Operand::Variable(variable));
+                    return Ok(Operand::Place(place));
                 }
                 Err(self.contact_of_a_number(operand, ty))
             }
@@ -220,11 +227,12 @@ impl<'s> Checker<'s> {
                 (ty, _) => Err(self.contact_of_a_number(operand, ty.unwrap_or(Type::Dint))),
             },
             Resolved::Instance(instance) => Err(self.instance_is_no_value(instance, operand)),
+            Resolved::Array(array) => Err(self.array_is_no_value(array, operand)),
         }
     }
 
     fn contact_of_a_number(&mut self, operand: &Reference<'s>, ty: Type) -> Reported {
-        let name = operand.name.text;
+        let name = self.source.slice(operand.span());
         let message = format!("a contact looks at a BOOL, `{name}` is {ty}");
         let diagnostic = Diagnostic::new(code::TYPE_MISMATCH, operand.span(), message)
             .label(format!("a value of type {ty}"))
@@ -238,14 +246,15 @@ impl<'s> Checker<'s> {
         target: &Reference<'s>,
         span: Span,
     ) -> Checked<Element> {
-        let variable = match self.resolve(target)? {
+        let place = match self.resolve(target)? {
             Resolved::Instance(instance) if action == ast::CoilAction::Reset => {
+                self.resettable(instance, span)?;
                 return Ok(Element::ResetInstance(instance));
             }
             resolved => self.writable(resolved, target)?,
         };
-        let Variable { name, ty, .. } = &self.program.variables[variable];
-        if *ty != Type::Bool {
+        let (name, ty) = (place.name(&self.program), place.ty(&self.program));
+        if ty != Type::Bool {
             let message = format!("a coil writes a BOOL, `{name}` is {ty}");
             let diagnostic = Diagnostic::new(code::TYPE_MISMATCH, target.span(), message)
                 .label(format!("of type {ty}"))
@@ -253,7 +262,7 @@ impl<'s> Checker<'s> {
             return Err(self.report(diagnostic));
         }
         let memory = |checker: &mut Self| {
-            let name = format!("{}_power_before", checker.program.variables[variable].name);
+            let name = format!("{}_power_before", place.name(&checker.program));
             checker.edge_memory(name, span)
         };
         let action = match action {
@@ -264,7 +273,23 @@ impl<'s> Checker<'s> {
             ast::CoilAction::Rise => CoilAction::Edge(Edge::Rise, memory(self)),
             ast::CoilAction::Fall => CoilAction::Edge(Edge::Fall, memory(self)),
         };
-        Ok(Element::Coil { target: variable, action, span })
+        Ok(Element::Coil { target: place, action, span })
+    }
+
+    fn resettable(&mut self, instance: model::InstanceId, span: Span) -> Checked<()> {
+        let instance = &self.program.instances[instance];
+        let block = instance.shape.block;
+        if block.can_reset {
+            return Ok(());
+        }
+        let message = format!("the {} `{}` cannot be reset", block.title, instance.name);
+        let diagnostic = Diagnostic::new(code::MISPLACED, span, message)
+            .label("a reset of an off-delay timer")
+            .help(format!(
+                "to end the delay, assign the preset: {{ {0}.ACC := {0}.PRE }}",
+                instance.name
+            ));
+        Err(self.report(diagnostic))
     }
 
     fn assignment(
@@ -274,14 +299,14 @@ impl<'s> Checker<'s> {
         span: Span,
     ) -> Checked<Element> {
         let resolved = self.resolve(target);
-        let variable = resolved.and_then(|resolved| self.writable(resolved, target));
-        let want = variable.as_ref().ok().map(|&variable| self.program.variables[variable].ty);
+        let place = resolved.and_then(|resolved| self.writable(resolved, target));
+        let want = place.as_ref().ok().map(|place| place.ty(&self.program));
         let value = self.expression(value, want);
-        Ok(Element::Assign { target: variable?, value: value?, span })
+        Ok(Element::Assign { target: place?, value: value?, span })
     }
 
-    /// The variable, if a rung may write it.
-    fn writable(&mut self, resolved: Resolved, target: &Reference<'s>) -> Checked<VariableId> {
+    /// The place, if a rung may write it.
+    fn writable(&mut self, resolved: Resolved, target: &Reference<'s>) -> Checked<Place> {
         let name = target.name.text;
         let (problem, label, help) = match resolved {
             Resolved::Constant(_) => (
@@ -297,13 +322,14 @@ impl<'s> Checker<'s> {
                     format!("to reset it write (R {name})"),
                 )
             }
-            Resolved::Variable(variable) => {
-                let Variable { role, .. } = self.program.variables[variable];
+            Resolved::Array(array) => return Err(self.array_is_no_value(array, target)),
+            Resolved::Place(place) => {
+                let Variable { role, .. } = self.program.variables[place.declared()];
                 match role {
-                    Role::Output | Role::Local => return Ok(variable),
+                    Role::Output | Role::Local => return Ok(place),
                     Role::Member(instance, port) => {
                         match self.unassignable_member(instance, port) {
-                            None => return Ok(variable),
+                            None => return Ok(place),
                             Some(problem) => problem,
                         }
                     }
@@ -382,7 +408,7 @@ impl<'s> Checker<'s> {
 
 /// What a contact looks at.
 enum Operand {
-    Variable(VariableId),
+    Place(Place),
     Constant(bool),
 }
 
@@ -392,4 +418,13 @@ fn has_output(series: &Series<'_>) -> bool {
         ElementKind::Parallel(branches) => branches.iter().any(has_output),
         _ => false,
     })
+}
+
+/// The name at the left of a comparison that starts as an assignment would, but for its `:`.
+fn assigned<'s>(expr: &ast::Expr<'s>) -> Option<&'s str> {
+    let ast::ExprKind::Binary(operator, left, _) = &expr.kind else { return None };
+    match (&left.kind, operator) {
+        (ast::ExprKind::Reference(target), BinaryOperator::Equal) => Some(target.name.text),
+        _ => assigned(left),
+    }
 }

@@ -84,9 +84,16 @@ impl<'s> Checker<'s> {
             ast::ExprKind::Unary(_, operand) => self.number(operand)?.checked_neg(),
             ast::ExprKind::Binary(operator, a, b) => {
                 let (a, b) = (self.number(a), self.number(b));
+                let (a, b) = (a?, b?);
                 match operator {
-                    BinaryOperator::Add => a?.checked_add(b?),
-                    _ => a?.checked_sub(b?),
+                    BinaryOperator::Add => a.checked_add(b),
+                    BinaryOperator::Subtract => a.checked_sub(b),
+                    BinaryOperator::Multiply => a.checked_mul(b),
+                    BinaryOperator::Divide if b == 0 => Some(0),
+                    BinaryOperator::Divide => a.checked_div(b),
+                    BinaryOperator::Modulo if b == 0 => Some(0),
+                    BinaryOperator::Modulo => a.checked_rem(b),
+                    _ => unreachable!("the other operators do not make a number of two"),
                 }
             }
             ast::ExprKind::Function(..) => None,

@@ -168,7 +168,7 @@ impl<'s> Checker<'s> {
                 self.unit_does_not_fit(shape.block, unit, kind.span, another);
                 continue;
             }
-            let kind_of = ExprKind::Read(self.unit(unit, kind.span));
+            let kind_of = ExprKind::Read(self.unit(unit, kind.span).into());
             let value = ArgumentValue::Value(Expr { ty: Type::Bool, kind: kind_of });
             arguments.push(Argument { port, value, span: kind.span });
         }

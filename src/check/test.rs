@@ -1,10 +1,11 @@
 //! Tests: what they drive, how long they run, what they expect.
 
-use super::network::Place;
+use super::names::not_a_constant;
+use super::network::Site;
 use super::reference::Resolved;
 use super::{Checked, Checker, literal};
 use crate::diagnostic::{Diagnostic, code};
-use crate::model::{Expect, Role, Statement, Test, VariableId};
+use crate::model::{Base, Expect, Place, Role, Statement, Test};
 use crate::syntax::ast::{self, Literal, Reference, StatementKind};
 use crate::types::Type;
 
@@ -40,7 +41,7 @@ impl<'s> Checker<'s> {
         Ok(vec![match &statement.kind {
             StatementKind::Drive(reference, value) => {
                 let input = self.input(reference);
-                let ty = input.as_ref().ok().map(|&input| self.program.variables[input].ty);
+                let ty = input.as_ref().ok().map(|input| input.ty(&self.program));
                 let value = self.constant(value, ty);
                 Statement::Drive(input?, value?.1)
             }
@@ -64,7 +65,7 @@ impl<'s> Checker<'s> {
                         );
                     return Err(self.report(diagnostic));
                 }
-                let network = self.series(network, Place::Expectation);
+                let network = self.series(network, Site::Expectation);
                 let index = self.expectations;
                 self.expectations += 1;
                 Statement::Expect(Expect { network, index, span: statement.span, spans })
@@ -73,23 +74,37 @@ impl<'s> Checker<'s> {
     }
 
     fn pulse(&mut self, reference: &Reference<'s>) -> Checked<Vec<Statement>> {
-        let input = self.input(reference)?;
-        if self.program.variables[input].ty != Type::Bool {
-            let message = format!("a pulse drives a BOOL, `{}` is none", reference.name.text);
+        let Place { base: Base::Variable(input), bit } = self.input(reference)? else {
+            unreachable!("an input that is driven has no index to work out")
+        };
+        let drive = |value| Statement::Drive(Place { base: Base::Variable(input), bit }, value);
+        if Place::from(input).ty(&self.program) != Type::Bool && bit.is_none() {
+            let name = self.source.slice(reference.span());
+            let message = format!("a pulse drives a BOOL, `{name}` is none");
             let diagnostic = Diagnostic::new(code::TYPE_MISMATCH, reference.span(), message)
                 .label("not a BOOL")
                 .help("drive it with := and scan");
             return Err(self.report(diagnostic));
         }
         let scan = || Statement::Scan(1);
-        Ok(vec![Statement::Drive(input, 1), scan(), Statement::Drive(input, 0), scan()])
+        Ok(vec![drive(1), scan(), drive(0), scan()])
     }
 
-    fn input(&mut self, reference: &Reference<'s>) -> Checked<VariableId> {
-        if let Resolved::Variable(variable) = self.resolve(reference)?
-            && self.program.variables[variable].role == Role::Input
+    /// What a test drives: an input, an element of one, a bit of either.
+    fn input(&mut self, reference: &Reference<'s>) -> Checked<Place> {
+        let place = match self.resolve(reference)? {
+            Resolved::Place(place) => Some(place),
+            Resolved::Array(array) => return Err(self.array_is_no_value(array, reference)),
+            Resolved::Constant(_) | Resolved::Instance(_) => None,
+        };
+        if place.as_ref().is_some_and(|place| place.index().is_some()) {
+            let span = reference.path.first().map_or(reference.name.span, |index| index.span());
+            return Err(self.report(not_a_constant(span)));
+        }
+        if let Some(place) = place
+            && self.program.variables[place.declared()].role == Role::Input
         {
-            return Ok(variable);
+            return Ok(place);
         }
         let message = format!("a test drives inputs, `{}` is none", reference.name.text);
         let diagnostic = Diagnostic::new(code::NOT_WRITABLE, reference.span(), message)

@@ -8,6 +8,9 @@ use super::{
     RegisterId, Section, as_signed, mask,
 };
 
+/// The longest list of operands that is searched for operands that say nothing new.
+const ABSORBED: usize = 8;
+
 /// True if the net is among the first few: to look through all of a long list for each of its
 /// operands would take too long, and repeating one is harmless.
 fn is_among_first(nets: &[Net], net: Net) -> bool {
@@ -20,7 +23,7 @@ impl Circuit {
         Circuit { name: name.into(), ..Circuit::default() }
     }
 
-    fn add_cell(&mut self, op: Op, width: u32) -> Net {
+    pub(super) fn add_cell(&mut self, op: Op, width: u32) -> Net {
         self.cells.alloc(Cell { op, width })
     }
 
@@ -132,6 +135,7 @@ impl Circuit {
                 _ => self.operands.push(operand),
             }
         }
+        self.absorb(start, and);
         match self.operands.len() - start {
             0 => self.constant(neutral, width),
             1 => self.operands.pop().expect("there is one operand"),
@@ -139,6 +143,46 @@ impl Circuit {
                 let list = Operands { start: start as u32, len: len as u32 };
                 self.add_cell(if and { Op::And(list) } else { Op::Or(list) }, width)
             }
+        }
+    }
+
+    /// Drops what the operands from `start` on say twice: `a` next to `a and b`, and what
+    /// `a ? b : c` is where `a` is decided.
+    fn absorb(&mut self, start: usize, and: bool) {
+        if self.operands.len() - start > ABSORBED {
+            return;
+        }
+        for at in start..self.operands.len() {
+            let Op::Mux { select, on, off } = self.cells[self.operands[at]].op else { continue };
+            let chosen = if and { on } else { off };
+            let is_decided = self.operands[start..].contains(&select);
+            if is_decided && self.constant_value(chosen).is_none() {
+                self.operands[at] = chosen;
+            }
+        }
+        let list = &self.operands[start..];
+        let held =
+            |net: Net| list.iter().any(|&other| other != net && self.holds(other, net, and, 3));
+        let kept: Vec<Net> = list.iter().copied().filter(|&net| !held(net)).collect();
+        self.operands.truncate(start);
+        self.operands.extend(kept);
+    }
+
+    /// True if a net is 0 (or, if not `and`, 1) wherever `part` is.
+    fn holds(&self, net: Net, part: Net, and: bool, depth: u32) -> bool {
+        let holds =
+            |inner: Net| inner == part || depth > 0 && self.holds(inner, part, and, depth - 1);
+        match self.cells[net].op {
+            Op::And(operands) if and => {
+                self.list(operands).iter().take(ABSORBED).any(|&net| holds(net))
+            }
+            Op::Or(operands) if !and => {
+                self.list(operands).iter().take(ABSORBED).any(|&net| holds(net))
+            }
+            Op::Mux { select, on, off } if and && self.constant_value(off) == Some(0) => {
+                holds(on) || self.width(net) == 1 && holds(select)
+            }
+            _ => false,
         }
     }
 
@@ -182,6 +226,19 @@ impl Circuit {
                 self.or([unselected, on])
             }
             _ => self.add_cell(Op::Mux { select, on, off }, width),
+        }
+    }
+
+    /// As [`Circuit::mux`], but a choice between a constant and a bit stays a choice: synthesis
+    /// finds the enable and the reset of a flip-flop in choices.
+    pub fn choice(&mut self, select: Net, on: Net, off: Net) -> Net {
+        let [is_on, is_off] = [on, off].map(|net| self.constant_value(net).is_some());
+        match self.constant_value(select) {
+            None if on != off && is_on != is_off => {
+                let width = self.width(on);
+                self.add_cell(Op::Mux { select, on, off }, width)
+            }
+            _ => self.mux(select, on, off),
         }
     }
 
@@ -248,17 +305,46 @@ impl Circuit {
             _ if width == old => from,
             Some(value) if signed => self.constant(as_signed(value, old) as u64, width),
             Some(value) => self.constant(value, width),
-            None if width > old => self.add_cell(Op::Extend { from, signed }, width),
-            None => self.slice(from, 0, width),
+            None if width < old => self.slice(from, 0, width),
+            None => match self.cells[from].op {
+                // Zeros stand before it already, so its top bit is one of them.
+                Op::Extend { from: inner, signed: false } => self.resize(inner, width, false),
+                Op::Extend { from: inner, signed: true } if signed => {
+                    self.resize(inner, width, true)
+                }
+                _ => self.add_cell(Op::Extend { from, signed }, width),
+            },
         }
     }
 
     /// `width` bits from bit `low` up.
     pub fn slice(&mut self, from: Net, low: u32, width: u32) -> Net {
-        match self.constant_value(from) {
-            Some(value) => self.constant(value >> low, width),
-            None if low == 0 && width == self.width(from) => from,
-            None => self.add_cell(Op::Slice { from, low }, width),
+        if low == 0 && width == self.width(from) {
+            return from;
+        }
+        match self.cells[from].op {
+            Op::Const(value) => self.constant(value >> low, width),
+            Op::Slice { from: outer, low: above } => self.slice(outer, above + low, width),
+            Op::Extend { from: inner, .. } if low + width <= self.width(inner) => {
+                self.slice(inner, low, width)
+            }
+            Op::Extend { from: inner, signed } if low == 0 => self.resize(inner, width, signed),
+            Op::Extend { from: inner, signed: false } if low >= self.width(inner) => {
+                self.constant(0, width)
+            }
+            Op::Concat(parts) => {
+                let mut top = self.width(from);
+                let mut kept = Vec::new();
+                for part in self.list(parts).to_vec() {
+                    top -= self.width(part);
+                    let (first, end) = (low.max(top), (low + width).min(top + self.width(part)));
+                    if first < end {
+                        kept.push(self.slice(part, first - top, end - first));
+                    }
+                }
+                self.concat(kept)
+            }
+            _ => self.add_cell(Op::Slice { from, low }, width),
         }
     }
 }

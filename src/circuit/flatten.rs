@@ -128,6 +128,7 @@ pub(super) fn copy_cell(
     cell: Cell,
     map: impl Fn(Net) -> Net,
 ) -> Net {
+    let is_constant = |net: Net| from.constant_value(net).is_some();
     let list = |operands| from.list(operands).iter().map(|&net| map(net));
     match cell.op {
         Op::Input(_) | Op::Register(_) | Op::Port(..) => unreachable!("the caller copies these"),
@@ -136,12 +137,20 @@ pub(super) fn copy_cell(
         Op::And(operands) => to.and(list(operands)),
         Op::Or(operands) => to.or(list(operands)),
         Op::Xor(a, b) => to.xor(map(a), map(b)),
+        // What was a choice on purpose stays one.
+        Op::Mux { select, on, off } if is_constant(on) || is_constant(off) => {
+            to.choice(map(select), map(on), map(off))
+        }
         Op::Mux { select, on, off } => to.mux(map(select), map(on), map(off)),
         Op::Add(a, b) => to.add(map(a), map(b)),
         Op::Sub(a, b) => to.sub(map(a), map(b)),
+        Op::Mul(a, b) => to.mul(map(a), map(b)),
+        Op::Div(a, b) => to.div(map(a), map(b)),
+        Op::Rem(a, b) => to.rem(map(a), map(b)),
         Op::Eq(a, b) => to.eq(map(a), map(b)),
         Op::Less { a, b, signed } => to.less(map(a), map(b), signed),
         Op::Extend { from, signed } => to.resize(map(from), cell.width, signed),
         Op::Slice { from, low } => to.slice(map(from), low, cell.width),
+        Op::Concat(operands) => to.concat(list(operands)),
     }
 }

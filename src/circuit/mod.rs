@@ -4,9 +4,11 @@
 //! order and a combinational loop cannot be written; only registers carry values backwards, from
 //! scan to scan. Every circuit has the implied inputs clock and reset.
 
+mod arithmetic;
 mod builder;
 mod flatten;
-mod simplify;
+mod passes;
+mod ranges;
 mod simulate;
 mod validate;
 
@@ -14,7 +16,7 @@ use std::sync::Arc;
 
 use la_arena::{Arena, Idx};
 
-pub use simplify::simplify;
+pub use passes::simplify;
 pub use simulate::Simulator;
 pub use validate::{Invalid, Valid};
 
@@ -56,6 +58,8 @@ pub struct Circuit {
     pub inputs: Vec<Input>,
     /// Output ports.
     pub outputs: Vec<Output>,
+    /// Ports that are the elements of arrays. Only the top has such.
+    pub vectors: Vec<Vector>,
     /// Registers.
     pub registers: Arena<Register>,
     /// Instances of other circuits.
@@ -84,6 +88,19 @@ pub struct Output {
     pub name: Arc<str>,
     /// What it shows.
     pub net: Net,
+}
+
+/// Ports of one width next to each other that a back end shows as one, the first lowest.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Vector {
+    /// Name as the user knows it.
+    pub name: Arc<str>,
+    /// Input ports, else output ports.
+    pub is_input: bool,
+    /// Index of the first of them.
+    pub first: usize,
+    /// How many they are, 1 or more.
+    pub length: usize,
 }
 
 /// A register: takes `next` at every clock edge, `reset` at reset and when powered up.
@@ -194,6 +211,12 @@ pub enum Op {
     Add(Net, Net),
     /// The difference, wrapped. Same width.
     Sub(Net, Net),
+    /// The product, wrapped. Same width.
+    Mul(Net, Net),
+    /// The quotient of unsigned numbers; 0 where the second is 0. Same width.
+    Div(Net, Net),
+    /// What that division leaves; 0 where the second is 0. Same width.
+    Rem(Net, Net),
     /// One bit: 1 if both operands, of one width, are equal.
     Eq(Net, Net),
     /// One bit: 1 if `a` is less than `b`, both of one width.
@@ -220,6 +243,9 @@ pub enum Op {
         /// Index of the lowest bit.
         low: u32,
     },
+    /// Two operands or more side by side, the highest bits first. The result is as wide as they
+    /// are together.
+    Concat(Operands),
 }
 
 /// The lowest `width` bits set.
@@ -258,7 +284,7 @@ impl Circuit {
         self.cells.is_empty()
     }
 
-    /// The operands of an `And` or `Or`.
+    /// The operands of an `And`, `Or` or `Concat`.
     pub fn list(&self, operands: Operands) -> &[Net] {
         &self.operands[operands.start as usize..][..operands.len as usize]
     }
@@ -269,12 +295,15 @@ impl Circuit {
         match cell.op {
             Op::Input(_) | Op::Register(_) | Op::Port(..) | Op::Const(_) => {}
             Op::Not(from) | Op::Extend { from, .. } | Op::Slice { from, .. } => see(from),
-            Op::And(operands) | Op::Or(operands) => {
+            Op::And(operands) | Op::Or(operands) | Op::Concat(operands) => {
                 self.list(operands).iter().copied().for_each(see)
             }
             Op::Xor(a, b)
             | Op::Add(a, b)
             | Op::Sub(a, b)
+            | Op::Mul(a, b)
+            | Op::Div(a, b)
+            | Op::Rem(a, b)
             | Op::Eq(a, b)
             | Op::Less { a, b, .. } => {
                 see(a);

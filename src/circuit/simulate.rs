@@ -52,16 +52,19 @@ impl Simulator {
         self.show_registers();
     }
 
-    /// The bits of the output port of that index. A port that shows a register changes at
-    /// [`Simulator::clock`], any other at [`Simulator::settle`].
+    /// The bits of the output port of that index. A port that shows a register, extended or not,
+    /// changes at [`Simulator::clock`], any other at [`Simulator::settle`].
     pub fn output(&self, port: usize) -> u64 {
         self.values[index(self.circuit.outputs[port].net)]
     }
 
     fn show_registers(&mut self) {
         for (net, cell) in self.circuit.cells() {
-            if let Op::Register(id) = cell.op {
-                self.values[index(net)] = self.registers[index(id)];
+            match cell.op {
+                Op::Register(_) | Op::Const(_) | Op::Extend { .. } => {
+                    self.values[index(net)] = self.value_of(cell.op, cell.width);
+                }
+                _ => {}
             }
         }
     }
@@ -83,6 +86,9 @@ impl Simulator {
             Op::Mux { select, on, off } => get(if get(select) != 0 { on } else { off }),
             Op::Add(a, b) => get(a).wrapping_add(get(b)),
             Op::Sub(a, b) => get(a).wrapping_sub(get(b)),
+            Op::Mul(a, b) => get(a).wrapping_mul(get(b)),
+            Op::Div(a, b) => get(a).checked_div(get(b)).unwrap_or(0),
+            Op::Rem(a, b) => get(a).checked_rem(get(b)).unwrap_or(0),
             Op::Eq(a, b) => u64::from(get(a) == get(b)),
             Op::Less { a, b, signed: false } => u64::from(get(a) < get(b)),
             Op::Less { a, b, signed: true } => {
@@ -94,6 +100,10 @@ impl Simulator {
                 as_signed(get(from), self.circuit.width(from)) as u64
             }
             Op::Slice { from, low } => get(from) >> low,
+            Op::Concat(list) => self.circuit.list(list).iter().fold(0, |high, &net| {
+                // A part of all 64 bits would have no neighbour.
+                high << self.circuit.width(net) | get(net)
+            }),
         };
         bits & mask(width)
     }

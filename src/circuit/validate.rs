@@ -138,10 +138,19 @@ fn has_right_widths(design: &Design, circuit: &Circuit, cell: Cell) -> bool {
         Op::And(operands) | Op::Or(operands) => {
             circuit.list(operands).len() > 1 && same(circuit.list(operands))
         }
-        Op::Xor(a, b) | Op::Add(a, b) | Op::Sub(a, b) => same(&[a, b]),
+        Op::Xor(a, b)
+        | Op::Add(a, b)
+        | Op::Sub(a, b)
+        | Op::Mul(a, b)
+        | Op::Div(a, b)
+        | Op::Rem(a, b) => same(&[a, b]),
         Op::Mux { select, on, off } => width(select) == 1 && same(&[on, off]),
         Op::Eq(a, b) | Op::Less { a, b, .. } => cell.width == 1 && width(a) == width(b),
         Op::Extend { from, .. } => width(from) < cell.width,
         Op::Slice { from, low } => low + cell.width <= width(from),
+        Op::Concat(operands) => {
+            let list = circuit.list(operands);
+            list.len() > 1 && list.iter().map(|&net| width(net)).sum::<u32>() == cell.width
+        }
     }
 }

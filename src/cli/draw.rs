@@ -15,8 +15,8 @@ use super::{Sources, Verdict};
 
 /// Draw ladder files: contacts, coils and blocks between their rails
 #[derive(clap::Args)]
-#[command(after_help = "Below a contact stand the rungs that write it (<-), below a coil those \
-that read it (->).
+#[command(after_help = "Below a contact stand the rungs that write it (←), below a coil those \
+that read it (→).
 
 Examples:
   hotrail draw conveyor.ladder

@@ -129,6 +129,7 @@ codes! {
     Error E0204 BAD_TIME "a time is no whole number of ticks"
     Error E0205 BAD_CLOCK "the clock or the tick cannot be used"
     Error E0206 BAD_ADDRESS "an image address is out of its region or taken"
+    Error E0207 BAD_CALL "a function has too few or too many arguments"
     // Rungs
     Error E0301 EMPTY_BRANCH "a branch or network is empty"
     Error E0302 NO_OUTPUT "a rung has no coil, assignment or block"
@@ -163,6 +164,8 @@ codes! {
     Warning W0103 INPUT_NEVER_READ "an input is never read"
     Warning W0104 OUTPUT_NEVER_WRITTEN "an output is never written"
     Warning W0105 NEVER_WRITTEN "a variable is read and never written"
+    // Types and values
+    Warning W0201 DIVIDER "a division needs a divider of its own"
     // Rungs
     Warning W0301 DOUBLE_COIL "a variable has two coils"
     Warning W0302 COIL_AND_LATCH "a variable has a coil and a set or reset coil"
@@ -173,6 +176,7 @@ codes! {
     Note W0307 DEEP_RUNG "a rung has lists nested very deep"
     Warning W0308 NO_RUNGS "the program has no rungs"
     Warning W0309 DEAD_END "a part of a network never carries power to the right"
+    Warning W0310 AT_RAIL "a `not` or a one-shot stands where the power is always on"
     // Blocks
     Warning W0401 PRESET_ZERO "the preset of a timer or counter is 0"
     Warning W0402 NEVER_RESET "nothing resets a counter or retentive timer"

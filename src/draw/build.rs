@@ -6,9 +6,11 @@ use super::net::{Connection, Net};
 use super::node::{Node, Series};
 use super::references::{References, Uses, coil_sign};
 use super::words::{harmless, lines, written};
-use crate::blocks::{self, PortRole};
+use crate::blocks::{self, Block, Follows, Port, PortRole};
 use crate::source::{Source, Span};
-use crate::syntax::ast::{self, ArgumentValue, Edge, ElementKind, Reference};
+use crate::syntax::ast::{
+    self, ArgumentValue, BinaryOperator, Edge, ElementKind, Expr, ExprKind, Reference,
+};
 
 /// Columns of a name before it goes on in the next line.
 const NAME: i32 = 24;
@@ -32,30 +34,23 @@ impl<'s> Builder<'_, 's> {
     }
 
     fn element(&mut self, element: &ast::Element<'s>) -> Node {
-        let id = self.elements;
-        self.elements += 1;
+        let id = self.next();
         match &element.kind {
-            ElementKind::Constant(true) => Node::wire(id),
-            ElementKind::Constant(false) => {
-                let label = vec!["FALSE".to_owned()];
-                Node::symbol(id, Symbol::Contact(" "), label, References::default())
-            }
             ElementKind::FirstScan { negated } => {
                 let label = vec!["first_scan".to_owned()];
-                Node::symbol(id, contact(*negated), label, References::default())
+                Node::symbol(id, normally(*negated), label, References::default())
             }
             ElementKind::Contact { operand, negated } => {
-                let writers = self.uses.writers(operand.name.text);
-                Node::symbol(id, contact(*negated), self.label(operand), writers)
+                self.contact(id, operand, normally(*negated))
             }
             ElementKind::Edge { edge, operand } => {
                 let sign = match edge {
                     Edge::Rise => "P",
                     Edge::Fall => "N",
                 };
-                let writers = self.uses.writers(operand.name.text);
-                Node::symbol(id, Symbol::Contact(sign), self.label(operand), writers)
+                self.contact(id, operand, Symbol::Contact(sign))
             }
+            ElementKind::Constant(conducts) => constant(id, *conducts),
             ElementKind::Parallel(branches) => {
                 Node::list(id, branches.iter().map(|branch| self.series(branch)).collect())
             }
@@ -86,6 +81,16 @@ impl<'s> Builder<'_, 's> {
         }
     }
 
+    fn contact(&self, id: ElementId, operand: &Reference<'s>, symbol: Symbol) -> Node {
+        Node::symbol(id, symbol, self.label(operand), self.uses.writers(operand.name.text))
+    }
+
+    /// The number of the next element.
+    fn next(&mut self) -> ElementId {
+        self.elements += 1;
+        self.elements - 1
+    }
+
     /// What stands in braces.
     fn formula(&self, span: Span) -> Vec<String> {
         let text = written(self.source, span, self.comments);
@@ -102,48 +107,69 @@ impl<'s> Builder<'_, 's> {
     fn call(&mut self, id: ElementId, call: &ast::Call<'s>, span: Span) -> Node {
         let ends = call.arguments.iter().skip(1).map(|argument| argument.name.span.start);
         let ends = ends.chain([span.end]);
-        let given = call.arguments.iter().zip(ends);
-        let mut given: Vec<(&str, Fed)> =
-            given.map(|(argument, end)| (argument.name.text, self.fed(argument, end))).collect();
         let block = blocks::named(call.kind.text);
         let ports = block.map_or(&[][..], |block| block.ports);
-        let main = block.and_then(|block| block.main).unwrap_or("");
-        // The order of the ports: a box looks the same wherever it stands.
-        let parameters = ports.iter().filter(|port| port.role.is_parameter());
-        let inputs = parameters.map(|port| {
-            let found = given.iter().position(|(name, _)| *name == port.name);
-            let fed = found.map_or(Fed::Open, |index| given.swap_remove(index).1);
-            Input { name: port.name.to_owned(), fed }
+        let is_circuit = |name: &str| {
+            ports.iter().any(|port| port.name == name && port.role == PortRole::Circuit)
+        };
+        let given = call.arguments.iter().zip(ends).map(|(argument, end)| {
+            let name = argument.name.text;
+            let circuit = if is_circuit(name) { self.circuit(&argument.value) } else { None };
+            (name, circuit.map_or_else(|| self.value(argument, end), Fed::Circuit))
         });
-        let inputs = inputs.collect();
-        let outputs = ports
-            .iter()
-            .filter(|port| port.role == PortRole::Output && port.name != main)
-            .map(|port| port.name.to_owned());
+        let given: Vec<(&str, Fed)> = given.collect();
+        let main = block.and_then(|block| block.main).unwrap_or("");
+        let (inputs, outputs) = block.map(|block| pins(block, call, given)).unwrap_or_default();
         let drawn = Call {
             name: lines(&harmless(call.name.text), NAME),
             kind: harmless(call.kind.text),
             inputs,
             main: main.to_owned(),
-            outputs: outputs.collect(),
+            outputs,
             references: self.uses.readers(call.name.text),
         };
         drawn.into_node(id)
     }
 
-    /// What an argument, which ends before `end`, gives to its pin.
-    fn fed(&mut self, argument: &ast::Argument<'s>, end: u32) -> Fed {
-        match &argument.value {
-            ArgumentValue::Network(network) => Fed::Circuit(self.series(network)),
-            ArgumentValue::Expr(_) | ArgumentValue::List(..) => {
-                // The tree does not have the brackets around an expression.
-                let span = Span { start: argument.name.span.end, end };
-                let text = written(self.source, span, self.comments);
-                let text = text.trim_start_matches([':', '=', ' ']);
-                let text = text.strip_suffix([',', ')']).unwrap_or(text);
-                Fed::Value(lines(text, BESIDE))
-            }
+    /// The circuit that a pin is given, which may look like an expression.
+    fn circuit(&mut self, value: &ArgumentValue<'s>) -> Option<Series> {
+        let mut contacts = Vec::new();
+        match value {
+            ArgumentValue::Network(network) => return Some(self.series(network)),
+            ArgumentValue::List(values, _) => self.contacts(values.first()?, &mut contacts)?,
+            ArgumentValue::Expr(value) => self.contacts(value, &mut contacts)?,
         }
+        Some(Series::new(contacts))
+    }
+
+    /// `a`, `TRUE`, and `a /b`, which looks like a division.
+    fn contacts(&mut self, value: &Expr<'s>, contacts: &mut Vec<Node>) -> Option<()> {
+        let (operand, negated) = match &value.kind {
+            ExprKind::Reference(operand) => (operand, false),
+            ExprKind::Binary(BinaryOperator::Divide, left, right) => {
+                self.contacts(left, contacts)?;
+                let ExprKind::Reference(operand) = &right.kind else { return None };
+                (operand, true)
+            }
+            ExprKind::Literal(literal) => {
+                contacts.push(constant(self.next(), is_one(literal.text)));
+                return Some(());
+            }
+            _ => return None,
+        };
+        let id = self.next();
+        contacts.push(self.contact(id, operand, normally(negated)));
+        Some(())
+    }
+
+    /// What an argument, which ends before `end`, gives to its pin.
+    fn value(&self, argument: &ast::Argument<'s>, end: u32) -> Fed {
+        // The tree does not have the brackets around an expression.
+        let span = Span { start: argument.name.span.end, end };
+        let text = written(self.source, span, self.comments);
+        let text = text.trim_start_matches([':', '=', ' ']);
+        let text = text.strip_suffix([',', ')']).unwrap_or(text);
+        Fed::Value(lines(text, BESIDE))
     }
 
     fn net(&mut self, net: &ast::Net<'s>) -> Net {
@@ -157,6 +183,64 @@ impl<'s> Builder<'_, 's> {
     }
 }
 
-fn contact(negated: bool) -> Symbol {
-    Symbol::Contact(if negated { "/" } else { " " })
+/// The pins of a block besides those for the power, in the order of its ports: a box looks the same
+/// wherever it stands. What is fixed or has a start only has a pin where the call says it.
+fn pins(
+    block: &'static Block,
+    call: &ast::Call<'_>,
+    mut given: Vec<(&str, Fed)>,
+) -> (Vec<Input>, Vec<String>) {
+    let mut take = |name: &str| {
+        let found = given.iter().position(|(given, _)| *given == name);
+        found.map(|index| given.swap_remove(index).1)
+    };
+    let parameters = block.ports.iter().filter(|port| port.role.is_parameter());
+    let inputs = parameters.filter_map(|port| {
+        let fed = take(port.name).or((!port.role.is_loaded()).then_some(Fed::Open))?;
+        Some(Input { name: port.name.to_owned(), fed })
+    });
+    let mut inputs: Vec<Input> = inputs.collect();
+    for setting in block.settings {
+        let fed = take(setting.name);
+        inputs.extend(fed.map(|fed| Input { name: setting.name.to_owned(), fed }));
+    }
+    let items = |setting: &str| {
+        let list = call.arguments.iter().find(|argument| argument.name.text == setting);
+        match list.map(|argument| &argument.value) {
+            Some(ArgumentValue::List(items, _)) => items.len(),
+            _ => 0,
+        }
+    };
+    let is_output = |port: &&Port| {
+        let is_shown = matches!(port.role, PortRole::Output | PortRole::Shared { shown: true });
+        let is_there = match port.follows {
+            Follows::ItemOf(setting, item) => item < items(setting),
+            Follows::Nothing | Follows::TypeOf(_) => true,
+        };
+        is_shown && is_there && block.main != Some(port.name)
+    };
+    let outputs = block.ports.iter().filter(is_output).map(|port| port.name.to_owned());
+    (inputs, outputs.collect())
+}
+
+/// A contact that is normally open, or closed.
+fn normally(closed: bool) -> Symbol {
+    Symbol::Contact(if closed { "/" } else { " " })
+}
+
+/// A wire, or a contact that is always open.
+fn constant(id: ElementId, conducts: bool) -> Node {
+    match conducts {
+        true => Node::wire(id),
+        false => {
+            let label = vec!["FALSE".to_owned()];
+            Node::symbol(id, normally(false), label, References::default())
+        }
+    }
+}
+
+/// True if a literal is 1 in any of its spellings.
+fn is_one(literal: &str) -> bool {
+    let digits = literal.rsplit('#').next().unwrap_or(literal).replace('_', "");
+    literal.eq_ignore_ascii_case("TRUE") || digits.trim_start_matches('0') == "1"
 }

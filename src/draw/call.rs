@@ -135,7 +135,7 @@ impl Call {
         let cell = |x, y| Point { x, y: at.y + y };
         placer.wire(at, cell(left, 0), Power::Into(element));
         placer.wire(cell(right, 0), cell(end, 0), Power::OutOf(element));
-        placer.frame(element, cell(left, -2), cell(right, self.bottom()));
+        placer.frame(Some(element), cell(left, -2), cell(right, self.bottom()));
         placer.label(element, &self.name, cell(middle, -3), Style::Instance);
         placer.text(element, &self.kind, cell(middle, -1), Align::Middle, Style::Kind);
         placer.text(element, POWER, cell(left + 1, 0), Align::Start, Style::Pin);

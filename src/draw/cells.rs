@@ -66,7 +66,8 @@ pub enum Shape {
         /// What it is.
         symbol: Symbol,
     },
-    /// A frame through the middles of its corner cells.
+    /// A frame through the middles of its corner cells. One that shows no element stands for what
+    /// is drawn further down.
     Frame {
         /// The corner at the upper left.
         from: Point,

@@ -92,9 +92,16 @@ impl Fitter {
             Kind::Net(mut net) => {
                 let inner = width - net.beside();
                 for connection in &mut net.connections {
-                    let network =
-                        std::mem::replace(&mut connection.network, Series::new(Vec::new()));
-                    connection.network = self.series(network, inner);
+                    if connection.network.size.width <= inner {
+                        continue;
+                    }
+                    let network = connection.network.take();
+                    connection.network = if inner >= LEAST_LINE {
+                        self.series(network, inner)
+                    } else {
+                        let mark = self.put_off(From::Mark, network);
+                        Series::new(vec![Node::elsewhere(element, mark)])
+                    };
                 }
                 net.into_node(element)
             }
@@ -103,7 +110,7 @@ impl Fitter {
                 for input in &mut call.inputs {
                     let Fed::Circuit(circuit) = &mut input.fed else { continue };
                     if others + circuit.size.width > width - 2 * LEAD {
-                        let circuit = std::mem::replace(circuit, Series::new(Vec::new()));
+                        let circuit = circuit.take();
                         input.fed = Fed::Elsewhere(self.put_off(From::Rail, circuit));
                     }
                 }

@@ -85,7 +85,7 @@ impl Net {
         let cell = |x, y| Point { x, y: at.y + y };
         placer.wire(at, cell(left, 0), Power::Into(element));
         placer.wire(cell(right, 0), cell(end, 0), Power::OutOf(element));
-        placer.frame(element, cell(left, -1), cell(right, size.below));
+        placer.frame(Some(element), cell(left, -1), cell(right, size.below));
         placer.text(element, ENDS[0], cell(left + 1, 0), Align::Start, Style::Pin);
         placer.text(element, ENDS[1], cell(right - 1, 0), Align::End, Style::Pin);
         for (connection, row) in self.connections.iter().zip(self.rows()) {

@@ -152,6 +152,11 @@ impl Series {
         series
     }
 
+    /// The series itself, which leaves an empty one behind.
+    pub fn take(&mut self) -> Series {
+        std::mem::replace(self, Series::new(Vec::new()))
+    }
+
     /// The row of each line and the line.
     pub fn rows(&self) -> Vec<(i32, &[Node])> {
         let mut rows: Vec<(i32, &[Node])> = Vec::with_capacity(self.lines.len());

@@ -27,8 +27,9 @@ impl Placer {
         }
     }
 
-    pub fn frame(&mut self, element: ElementId, from: Point, to: Point) {
-        self.part(Some(element), Shape::Frame { from, to });
+    /// A frame; that of what is drawn further down shows no element.
+    pub fn frame(&mut self, element: Option<ElementId>, from: Point, to: Point) {
+        self.part(element, Shape::Frame { from, to });
     }
 
     pub fn arrow(&mut self, at: Point, both_ways: bool) {
@@ -149,7 +150,8 @@ impl Placer {
             }
             Kind::Formula { lines, references, .. } => {
                 let bottom = at.y + lines.len() as i32;
-                let middle = self.boxed(element, at, leaves, bottom);
+                let middle = self.boxed(Some(element), (at, leaves), bottom);
+                self.leads(element, at, leaves);
                 let x = middle - (widest(lines) - 1) / 2;
                 for (line, y) in lines.iter().zip(at.y..) {
                     self.text(element, line, Point { x, y }, Align::Start, Style::Value);
@@ -157,7 +159,8 @@ impl Placer {
                 self.references(element, references, Point { x: middle, y: bottom + 1 }, true);
             }
             Kind::Elsewhere(mark) => {
-                let middle = self.boxed(element, at, leaves, at.y + 1);
+                let middle = self.boxed(None, (at, leaves), at.y + 1);
+                self.leads(element, at, leaves);
                 self.mark(mark, Point { x: middle, ..at }, Align::Middle);
             }
             Kind::List(branches) => self.list(element, branches, at, end, to_rail),
@@ -175,14 +178,19 @@ impl Placer {
         self.part(Some(element), Shape::Symbol { at: middle, symbol });
     }
 
-    /// A frame from the row above the wire down to `bottom`; returns the column of its middle.
-    fn boxed(&mut self, element: ElementId, at: Point, leaves: Point, bottom: i32) -> i32 {
-        let (left, right) = (at.x + LEAD, leaves.x - LEAD);
-        self.wire(at, Point { x: left, ..at }, Power::Into(element));
-        self.wire(Point { x: right, ..at }, leaves, Power::OutOf(element));
-        let upper = Point { x: left, y: at.y - 1 };
+    /// A frame around a wire, from the row above it down to `bottom`; returns the column of its
+    /// middle.
+    fn boxed(&mut self, element: Option<ElementId>, wire: (Point, Point), bottom: i32) -> i32 {
+        let (left, right) = (wire.0.x + LEAD, wire.1.x - LEAD);
+        let upper = Point { x: left, y: wire.0.y - 1 };
         self.frame(element, upper, Point { x: right, y: bottom });
         (left + right) / 2
+    }
+
+    /// The wires that lead to a frame and away from it.
+    fn leads(&mut self, element: ElementId, at: Point, leaves: Point) {
+        self.wire(at, Point { x: at.x + LEAD, ..at }, Power::Into(element));
+        self.wire(Point { x: leaves.x - LEAD, ..at }, leaves, Power::OutOf(element));
     }
 
     fn list(

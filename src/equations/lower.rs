@@ -1,10 +1,10 @@
 //! From networks to equations: series become `All`, parallel branches `Any`.
 
+use super::write::Change;
 use super::{Equations, Expr, ExprId, ExprOp, Operands, Step, StepId, StepKind};
 use crate::index::index;
 use crate::model::{
-    self, ArgumentValue, Call, CoilAction, Edge, Element, ExprKind, Program, Role, Series,
-    VariableId,
+    ArgumentValue, Call, CoilAction, Edge, Element, Place, Program, Role, Series, VariableId,
 };
 use crate::types::Type;
 
@@ -43,7 +43,7 @@ pub fn lower_expectation(program: &Program, network: &Series) -> (Equations, Vec
 }
 
 pub(super) struct Lowering<'p> {
-    program: &'p Program,
+    pub(super) program: &'p Program,
     pub(super) equations: Equations,
     rung: u32,
     /// The newest write of each variable.
@@ -67,7 +67,7 @@ impl<'p> Lowering<'p> {
         }
     }
 
-    fn add(&mut self, op: ExprOp, ty: Type) -> ExprId {
+    pub(super) fn add(&mut self, op: ExprOp, ty: Type) -> ExprId {
         self.equations.exprs.alloc(Expr { op, ty })
     }
 
@@ -75,12 +75,12 @@ impl<'p> Lowering<'p> {
         self.add(ExprOp::Constant(value.into()), Type::Bool)
     }
 
-    fn not(&mut self, operand: ExprId) -> ExprId {
+    pub(super) fn not(&mut self, operand: ExprId) -> ExprId {
         let ty = self.equations.exprs[operand].ty;
         self.add(ExprOp::Not(operand), ty)
     }
 
-    fn operands(&mut self, list: &[ExprId]) -> Operands {
+    pub(super) fn operands(&mut self, list: &[ExprId]) -> Operands {
         let start = self.equations.operands.len() as u32;
         self.equations.operands.extend_from_slice(list);
         Operands { start, len: list.len() as u32 }
@@ -106,7 +106,7 @@ impl<'p> Lowering<'p> {
         self.add(ExprOp::Any(operands), Type::Bool)
     }
 
-    fn read(&mut self, variable: VariableId) -> ExprId {
+    pub(super) fn read(&mut self, variable: VariableId) -> ExprId {
         if let Some(read) = self.reads[index(variable)] {
             return read;
         }
@@ -127,7 +127,7 @@ impl<'p> Lowering<'p> {
         self.reads[index(variable)] = None;
     }
 
-    fn assign(&mut self, target: VariableId, value: ExprId) {
+    pub(super) fn assign(&mut self, target: VariableId, value: ExprId) {
         let step = self.step(StepKind::Assign { target, value });
         self.written(target, step);
     }
@@ -141,12 +141,12 @@ impl<'p> Lowering<'p> {
         match element {
             Element::Constant(true) => {}
             Element::Constant(false) => power.push(self.constant(false)),
-            Element::Contact { variable, negated, .. } => {
-                let read = self.read(*variable);
+            Element::Contact { place, negated, .. } => {
+                let read = self.read_place(place);
                 power.push(if *negated { self.not(read) } else { read });
             }
-            Element::Edge { variable, edge, memory } => {
-                let now = self.read(*variable);
+            Element::Edge { place, edge, memory } => {
+                let now = self.read_place(place);
                 power.push(self.edge(now, *edge, *memory));
             }
             Element::Parallel(branches) => return self.parallel(branches, power),
@@ -161,7 +161,7 @@ impl<'p> Lowering<'p> {
             Element::Compare(expr, _) => power.push(self.expr(expr)),
             Element::Coil { target, action, .. } => {
                 let now = self.all(power);
-                self.coil(*target, *action, now);
+                self.coil(target, *action, now);
                 power = vec![now];
             }
             Element::ResetInstance(instance) => {
@@ -176,10 +176,8 @@ impl<'p> Lowering<'p> {
             }
             Element::Assign { target, value, .. } => {
                 let now = self.all(power);
-                let on = self.expr(value);
-                let off = self.read(*target);
-                let value = self.add(ExprOp::Select { power: now, on, off }, value.ty);
-                self.assign(*target, value);
+                let value = self.expr(value);
+                self.write(target, Change::When { power: now, value });
                 power = vec![now];
             }
             Element::Call(call) => {
@@ -224,22 +222,15 @@ impl<'p> Lowering<'p> {
         power
     }
 
-    fn coil(&mut self, target: VariableId, action: CoilAction, power: ExprId) {
-        let value = match action {
-            CoilAction::Plain => power,
-            CoilAction::Negated => self.not(power),
-            CoilAction::Set => {
-                let before = self.read(target);
-                self.any(&[power, before])
-            }
-            CoilAction::Reset => {
-                let before = self.read(target);
-                let unpowered = self.not(power);
-                self.all(vec![before, unpowered])
-            }
-            CoilAction::Edge(edge, memory) => self.edge(power, edge, memory),
+    fn coil(&mut self, target: &Place, action: CoilAction, power: ExprId) {
+        let change = match action {
+            CoilAction::Plain => Change::To(power),
+            CoilAction::Negated => Change::To(self.not(power)),
+            CoilAction::Set => Change::Set(power),
+            CoilAction::Reset => Change::Reset(power),
+            CoilAction::Edge(edge, memory) => Change::To(self.edge(power, edge, memory)),
         };
-        self.assign(target, value);
+        self.write(target, change);
     }
 
     fn call(&mut self, call: &Call, power: ExprId) -> ExprId {
@@ -270,26 +261,6 @@ impl<'p> Lowering<'p> {
             Some(port) => self.read(instance.members[port]),
             None => power,
         }
-    }
-
-    fn expr(&mut self, expr: &model::Expr) -> ExprId {
-        let op = match &expr.kind {
-            ExprKind::Constant(value) => ExprOp::Constant(*value),
-            ExprKind::Read(variable) => return self.read(*variable),
-            ExprKind::Not(operand) => {
-                let operand = self.expr(operand);
-                return self.not(operand);
-            }
-            ExprKind::Binary(op, a, b) => {
-                let (a, b) = (self.expr(a), self.expr(b));
-                ExprOp::Binary(*op, a, b)
-            }
-            ExprKind::Compare(relation, a, b) => {
-                let (a, b) = (self.expr(a), self.expr(b));
-                ExprOp::Compare(*relation, a, b)
-            }
-        };
-        self.add(op, expr.ty)
     }
 }
 

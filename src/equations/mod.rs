@@ -2,15 +2,17 @@
 //! text. Each read names the write that it sees, so the order of evaluation is in the equations
 //! themselves.
 
+mod expression;
 mod lower;
 mod networks;
+mod write;
 
 use std::sync::Arc;
 
 use la_arena::{Arena, Idx};
 
 use crate::blocks::Shape;
-use crate::model::{BinaryOp, InstanceId, Relation, VariableId};
+use crate::model::{BinaryOp, Function, InstanceId, Relation, VariableId};
 use crate::types::Type;
 
 pub use lower::{lower, lower_expectation};
@@ -74,10 +76,33 @@ pub enum ExprOp {
         /// The value for 0.
         off: ExprId,
     },
-    /// An operation on two values.
+    /// An operation on two values. Their types are those that [`crate::model::ExprKind::Binary`]
+    /// says.
     Binary(BinaryOp, ExprId, ExprId),
     /// A comparison of two values of one type.
     Compare(Relation, ExprId, ExprId),
+    /// A function of values. Their types are those that [`crate::model::ExprKind::Call`] says.
+    Call(Function, Operands),
+    /// The value of another type, as [`crate::model::convert`] says.
+    Convert(ExprId),
+    /// A bit of a value.
+    Bit(ExprId, u32),
+    /// A value with one bit replaced.
+    WithBit {
+        /// The other bits.
+        whole: ExprId,
+        /// Which bit.
+        bit: u32,
+        /// A `BOOL`.
+        value: ExprId,
+    },
+    /// The element of an index; 0 if there is none.
+    Element {
+        /// Of an integer type.
+        index: ExprId,
+        /// All elements.
+        elements: Operands,
+    },
 }
 
 /// Something that changes the program's state.
@@ -128,7 +153,7 @@ pub enum StepKind {
 }
 
 impl Equations {
-    /// The operands of an `All` or `Any`.
+    /// The operands of an `All`, an `Any` or a call, or the elements of an array.
     pub fn list(&self, operands: Operands) -> &[ExprId] {
         &self.operands[operands.start as usize..][..operands.len as usize]
     }

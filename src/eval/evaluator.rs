@@ -4,7 +4,7 @@
 use crate::blocks::Step;
 use crate::index::index;
 use crate::model::{
-    ArgumentValue, Call, CoilAction, Edge, Element, Expr, Net, Program, Role, VariableId,
+    ArgumentValue, Call, CoilAction, Edge, Element, Expr, Net, Place, Program, Role, VariableId,
 };
 
 /// A program that runs.
@@ -64,6 +64,23 @@ impl<'p> Evaluator<'p> {
         self.value(variable) != 0
     }
 
+    fn read(&self, place: &Place) -> i64 {
+        place.value(&|variable| self.value(variable))
+    }
+
+    /// Writes what the place means now; an index out of range means nothing.
+    fn write(&mut self, place: &Place, value: i64) {
+        let Some(variable) = place.variable(&|variable| self.value(variable)) else { return };
+        let value = match place.bit {
+            None => value,
+            Some(bit) => {
+                let others = self.value(variable) & !(1 << bit);
+                self.program.variables[variable].ty.wrap(others | value << bit)
+            }
+        };
+        self.set(variable, value);
+    }
+
     fn series(&mut self, series: &[Element], power: bool) -> bool {
         series.iter().fold(power, |power, element| self.element(element, power))
     }
@@ -71,11 +88,9 @@ impl<'p> Evaluator<'p> {
     fn element(&mut self, element: &Element, power: bool) -> bool {
         match element {
             Element::Constant(value) => power && *value,
-            Element::Contact { variable, negated, .. } => {
-                power && self.is_on(*variable) != *negated
-            }
-            Element::Edge { variable, edge, memory } => {
-                let now = self.is_on(*variable);
+            Element::Contact { place, negated, .. } => power && (self.read(place) != 0) != *negated,
+            Element::Edge { place, edge, memory } => {
+                let now = self.read(place) != 0;
                 self.edge(now, *edge, *memory) && power
             }
             Element::Parallel(branches) => {
@@ -89,7 +104,7 @@ impl<'p> Evaluator<'p> {
             Element::Invert => !power,
             Element::Compare(expr, _) => self.expr(expr) != 0 && power,
             Element::Coil { target, action, .. } => {
-                self.coil(*target, *action, power);
+                self.coil(target, *action, power);
                 power
             }
             Element::ResetInstance(instance) => {
@@ -104,7 +119,7 @@ impl<'p> Evaluator<'p> {
             Element::Assign { target, value, .. } => {
                 let value = self.expr(value);
                 if power {
-                    self.set(*target, value);
+                    self.write(target, value);
                 }
                 power
             }
@@ -146,16 +161,16 @@ impl<'p> Evaluator<'p> {
         }
     }
 
-    fn coil(&mut self, target: VariableId, action: CoilAction, power: bool) {
+    fn coil(&mut self, target: &Place, action: CoilAction, power: bool) {
         match action {
-            CoilAction::Plain => self.set(target, power.into()),
-            CoilAction::Negated => self.set(target, (!power).into()),
-            CoilAction::Set if power => self.set(target, 1),
-            CoilAction::Reset if power => self.set(target, 0),
+            CoilAction::Plain => self.write(target, power.into()),
+            CoilAction::Negated => self.write(target, (!power).into()),
+            CoilAction::Set if power => self.write(target, 1),
+            CoilAction::Reset if power => self.write(target, 0),
             CoilAction::Set | CoilAction::Reset => {}
             CoilAction::Edge(edge, memory) => {
                 let changed = self.edge(power, edge, memory);
-                self.set(target, changed.into());
+                self.write(target, changed.into());
             }
         }
     }

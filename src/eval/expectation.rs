@@ -1,6 +1,8 @@
 //! Why an expectation does not hold: the contact that does not conduct, with its value.
 
-use crate::model::{Element, Expect, Expr, ExprKind, Program, Series, Statement, VariableId};
+use crate::model::{
+    Element, Expect, Expr, ExprKind, Place, Program, Series, Statement, Variable, VariableId,
+};
 use crate::source::Span;
 use crate::types::Type;
 
@@ -17,7 +19,7 @@ pub struct Failure {
 pub fn conducts(element: &Element, read: &impl Fn(VariableId) -> i64) -> bool {
     match element {
         Element::Constant(value) => *value,
-        Element::Contact { variable, negated, .. } => (read(*variable) != 0) != *negated,
+        Element::Contact { place, negated, .. } => (place.value(read) != 0) != *negated,
         Element::Compare(expr, _) => expr.value(read) != 0,
         Element::Parallel(branches) => {
             branches.iter().any(|branch| branch.iter().all(|element| conducts(element, read)))
@@ -62,11 +64,24 @@ pub fn variables_of_tests(program: &Program) -> Vec<VariableId> {
 }
 
 fn element_variables(element: &Element, all: &mut Vec<VariableId>) {
+    for_each_look(element, &mut |look| match look {
+        Look::Contact(place) => place.for_each_variable(&mut |variable| all.push(variable)),
+        Look::Compare(expr) => expr.for_each_variable(&mut |variable| all.push(variable)),
+    });
+}
+
+/// What an element looks at.
+enum Look<'e> {
+    Contact(&'e Place),
+    Compare(&'e Expr),
+}
+
+fn for_each_look<'e>(element: &'e Element, see: &mut dyn FnMut(Look<'e>)) {
     match element {
-        Element::Contact { variable, .. } => all.push(*variable),
-        Element::Compare(expr, _) => expr_variables(expr, all),
+        Element::Contact { place, .. } => see(Look::Contact(place)),
+        Element::Compare(expr, _) => see(Look::Compare(expr)),
         Element::Parallel(branches) => {
-            branches.iter().flatten().for_each(|element| element_variables(element, all));
+            branches.iter().flatten().for_each(|element| for_each_look(element, see));
         }
         Element::Constant(_) => {}
         Element::Edge { .. }
@@ -80,18 +95,6 @@ fn element_variables(element: &Element, all: &mut Vec<VariableId>) {
     }
 }
 
-fn expr_variables(expr: &Expr, all: &mut Vec<VariableId>) {
-    match &expr.kind {
-        ExprKind::Constant(_) => {}
-        ExprKind::Read(variable) => all.push(*variable),
-        ExprKind::Not(operand) => expr_variables(operand, all),
-        ExprKind::Binary(_, a, b) | ExprKind::Compare(_, a, b) => {
-            expr_variables(a, all);
-            expr_variables(b, all);
-        }
-    }
-}
-
 /// Describes the failure of an expectation's element, given every value that it looked at.
 pub fn explain(
     program: &Program,
@@ -99,21 +102,42 @@ pub fn explain(
     element: usize,
     value: impl Fn(VariableId) -> i64,
 ) -> Failure {
-    let mut variables = Vec::new();
-    element_variables(&expect.network[element], &mut variables);
-    let mut seen = std::collections::HashSet::new();
-    variables.retain(|&variable| seen.insert(variable));
-    let values: Vec<String> = variables
-        .into_iter()
-        .map(|variable| {
-            let declared = &program.variables[variable];
-            let unit = if declared.ty == Type::Time { " ticks" } else { "" };
-            format!("{} is {}{unit}", declared.name, value(variable))
-        })
-        .collect();
+    let mut values: Vec<String> = Vec::new();
+    let mut note = |place: &Place| {
+        let text = shown(program, place, &value);
+        if !values.contains(&text) {
+            values.push(text);
+        }
+    };
+    for_each_look(&expect.network[element], &mut |look| match look {
+        Look::Contact(place) => {
+            note(place);
+            place.index().into_iter().for_each(|index| for_each_place(index, &mut note));
+        }
+        Look::Compare(expr) => for_each_place(expr, &mut note),
+    });
     let text = match values.as_slice() {
         [] => "this never conducts".to_owned(),
         values => values.join(", "),
     };
     Failure { span: expect.spans[element], text }
+}
+
+/// Calls `see` with every place that an expression reads, in text order.
+fn for_each_place(expr: &Expr, see: &mut dyn FnMut(&Place)) {
+    if let ExprKind::Read(place) = &expr.kind {
+        see(place);
+    }
+    expr.parts().into_iter().for_each(|part| for_each_place(part, see));
+}
+
+/// A place and its value: `motor is 0`, `w[2].5 is 1`.
+fn shown(program: &Program, place: &Place, value: &impl Fn(VariableId) -> i64) -> String {
+    let Some(variable) = place.variable(value) else {
+        return format!("{} is 0, its index is out of range", place.name(program));
+    };
+    let Variable { name, ty, .. } = &program.variables[variable];
+    let bit = place.bit.map(|bit| format!(".{bit}")).unwrap_or_default();
+    let unit = if *ty == Type::Time { " ticks" } else { "" };
+    format!("{name}{bit} is {}{unit}", place.value(value))
 }

@@ -1,7 +1,7 @@
 //! Runs the tests of a program.
 
 use super::{Evaluator, Failure, Machine, conducts, explain};
-use crate::model::{Program, Statement, Test};
+use crate::model::{Place, Program, Statement, Test};
 
 /// How a test ended.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -33,7 +33,7 @@ fn run(
 ) -> Result<(), Failure> {
     for statement in statements {
         match statement {
-            Statement::Drive(input, value) => machine.drive(*input, *value),
+            Statement::Drive(input, value) => drive(machine, program, input, *value),
             Statement::Scan(scans) => (0..*scans).for_each(|_| machine.scan(false)),
             Statement::Wait(ticks) => (0..*ticks).for_each(|_| machine.scan(true)),
             Statement::Repeat(times, statements) => {
@@ -53,4 +53,17 @@ fn run(
         }
     }
     Ok(())
+}
+
+/// Drives an input or a bit of one.
+fn drive(machine: &mut impl Machine, program: &Program, input: &Place, value: i64) {
+    let variable = input.declared();
+    let value = match input.bit {
+        None => value,
+        Some(bit) => {
+            let others = machine.value(variable) & !(1 << bit);
+            program.variables[variable].ty.wrap(others | value << bit)
+        }
+    };
+    machine.drive(variable, value);
 }

@@ -4,12 +4,13 @@ use std::collections::HashMap;
 
 use la_arena::Arena;
 
+use super::words::{self, Typed};
 use super::{Expansion, Options};
 use crate::blocks::{self, PortRole};
-use crate::circuit::{Circuit, Design, Net, Signal, Version};
+use crate::circuit::{Circuit, Design, Net, Signal, Vector, Version};
 use crate::equations::{Equations, ExprId, ExprOp, Step, StepKind};
 use crate::index::index;
-use crate::model::{BinaryOp, Program, Relation, Role, VariableId};
+use crate::model::{Array, Program, Role, VariableId};
 
 impl<'p> Expansion<'p> {
     pub(super) fn new(program: &'p Program, equations: &'p Equations) -> Self {
@@ -57,6 +58,22 @@ impl<'p> Expansion<'p> {
             let net = self.circuit.input(variable.name.clone(), variable.ty.width());
             self.before[index(id)] = Some(net);
         }
+        // The tick stands before the program's inputs.
+        self.vectors(Role::Input, 1);
+    }
+
+    /// Makes one port of the ports of each array of a role; those of the role begin there.
+    fn vectors(&mut self, role: Role, start: usize) {
+        let is_input = role == Role::Input;
+        let ports = self.program.with_role(role).zip(start..);
+        for ((id, _), first) in ports {
+            let Some(array) = self.program.array_of(id) else { continue };
+            let Array { name, elements } = &self.program.arrays[array];
+            if elements.first == id {
+                let (name, length) = (name.clone(), elements.length as usize);
+                self.circuit.vectors.push(Vector { name, is_input, first, length });
+            }
+        }
     }
 
     pub(super) fn section(&mut self, rung: u32, options: &Options) {
@@ -80,9 +97,10 @@ impl<'p> Expansion<'p> {
             Role::Member(instance, port)
                 if self.program.instances[instance].shape.ports[port].role == PortRole::Output =>
             {
-                let called = self.called(instance);
+                let shape = &self.program.instances[instance].shape;
+                let called = self.called(instance, shape);
                 let (id, module) = (called.id, called.module);
-                let name = self.program.instances[instance].shape.ports[port].name;
+                let name = shape.ports[port].name;
                 self.instance_output(id, module, &blocks::last(name), width)
             }
             _ if self.last_write[index(variable)].is_none() => {
@@ -130,22 +148,42 @@ impl<'p> Expansion<'p> {
                 self.circuit.mux(power, on, off)
             }
             ExprOp::Binary(op, a, b) => {
-                let (a, b) = (get(self, a), get(self, b));
-                match op {
-                    BinaryOp::Add => self.circuit.add(a, b),
-                    BinaryOp::Subtract => self.circuit.sub(a, b),
-                    BinaryOp::And => self.circuit.and([a, b]),
-                    BinaryOp::Or => self.circuit.or([a, b]),
-                    BinaryOp::Xor => self.circuit.xor(a, b),
-                }
+                let (a, b) = (self.typed(a), self.typed(b));
+                words::binary(&mut self.circuit, op, a, b)
             }
             ExprOp::Compare(relation, a, b) => {
-                let signed = self.equations.exprs[a].ty.is_signed();
-                let (a, b) = (get(self, a), get(self, b));
-                compare(&mut self.circuit, relation, a, b, signed)
+                let (a, b) = (self.typed(a), self.typed(b));
+                words::compare(&mut self.circuit, relation, a, b)
+            }
+            ExprOp::Call(function, arguments) => {
+                let list = self.equations.list(arguments).iter();
+                let arguments: Vec<Typed> = list.map(|&argument| self.typed(argument)).collect();
+                words::call(&mut self.circuit, function, &arguments)
+            }
+            ExprOp::Convert(operand) => {
+                let from = self.typed(operand);
+                words::converted(&mut self.circuit, from, expr.ty)
+            }
+            ExprOp::Bit(whole, bit) => {
+                let whole = get(self, whole);
+                self.circuit.slice(whole, bit, 1)
+            }
+            ExprOp::WithBit { whole, bit, value } => {
+                let (whole, value) = (get(self, whole), get(self, value));
+                self.circuit.with_bit(whole, bit, value)
+            }
+            ExprOp::Element { index, elements } => {
+                let index = self.typed(index);
+                let list = self.equations.list(elements).iter();
+                let elements: Vec<Net> = list.map(|&element| get(self, element)).collect();
+                words::element(&mut self.circuit, index, &elements)
             }
         };
         self.nets.push(net);
+    }
+
+    fn typed(&self, expr: ExprId) -> Typed {
+        Typed { net: self.nets[index(expr)], ty: self.equations.exprs[expr].ty }
     }
 
     pub(super) fn step(&mut self, number: u32, step: &Step) {
@@ -173,6 +211,7 @@ impl<'p> Expansion<'p> {
     pub(super) fn finish(mut self, observe: &[VariableId]) -> Design {
         let outputs: Vec<VariableId> =
             self.program.with_role(Role::Output).map(|(id, _)| id).collect();
+        self.vectors(Role::Output, 0);
         for &variable in outputs.iter().chain(observe) {
             let net = self.before(variable);
             self.circuit.output(self.program.variables[variable].name.clone(), net);
@@ -190,16 +229,4 @@ impl<'p> Expansion<'p> {
         modules.alloc(self.circuit);
         Design { modules }
     }
-}
-
-fn compare(circuit: &mut Circuit, relation: Relation, a: Net, b: Net, signed: bool) -> Net {
-    let (holds, inverted) = match relation {
-        Relation::Equal => (circuit.eq(a, b), false),
-        Relation::NotEqual => (circuit.eq(a, b), true),
-        Relation::Less => (circuit.less(a, b, signed), false),
-        Relation::GreaterOrEqual => (circuit.less(a, b, signed), true),
-        Relation::Greater => (circuit.less(b, a, signed), false),
-        Relation::LessOrEqual => (circuit.less(b, a, signed), true),
-    };
-    if inverted { circuit.not(holds) } else { holds }
 }

@@ -1,7 +1,5 @@
 //! Block instances: what the scan gives them, and what they show.
 
-use std::sync::Arc;
-
 use super::Expansion;
 use crate::blocks::{self, PortRole, Shape};
 use crate::circuit::{self, Circuit, ModuleId, Net};
@@ -21,18 +19,18 @@ pub(super) struct Called {
 }
 
 impl Expansion<'_> {
-    /// The circuit instance of a block that holds something itself.
-    pub(super) fn called(&mut self, instance: InstanceId) -> &mut Called {
+    /// The circuit instance of an instance's only or first call.
+    pub(super) fn called(&mut self, instance: InstanceId, shape: &Shape) -> &mut Called {
         if self.instances[index(instance)].is_none() {
-            let declared = &self.program.instances[instance];
-            let called = self.instantiate(instance, declared.name.clone(), &declared.shape);
+            let name = self.program.instances[instance].name.clone();
+            let called = self.instantiate(instance, name, shape);
             self.instances[index(instance)] = Some(called);
         }
         self.instances[index(instance)].as_mut().expect("it was just made")
     }
 
     /// The circuit instance of one call.
-    fn instantiate(&mut self, instance: InstanceId, name: String, shape: &Arc<Shape>) -> Called {
+    fn instantiate(&mut self, instance: InstanceId, name: String, shape: &Shape) -> Called {
         let program = self.program;
         let starts: Vec<i64> = program.instances[instance]
             .members
@@ -68,7 +66,7 @@ impl Expansion<'_> {
     pub(super) fn call(
         &mut self,
         instance: InstanceId,
-        shape: &Arc<Shape>,
+        shape: &Shape,
         power: ExprId,
         arguments: &[(usize, ExprId)],
     ) {
@@ -92,9 +90,9 @@ impl Expansion<'_> {
             self.partners.push(Called { power: Some(power), given, ..called });
         } else {
             // What the outputs depend on must stand before them.
-            let cleared = std::mem::take(&mut self.called(instance).clear_before);
+            let cleared = std::mem::take(&mut self.called(instance, shape).clear_before);
             let cleared = (!cleared.is_empty()).then(|| self.circuit.or(cleared));
-            let called = self.called(instance);
+            let called = self.called(instance, shape);
             (id, module) = (called.id, called.module);
             called.clear_before.extend(cleared);
             called.power = Some(power);
@@ -112,7 +110,7 @@ impl Expansion<'_> {
         let power = self.nets[index(power)];
         let declared = &self.program.instances[instance];
         if declared.shape.ports.iter().any(|port| port.role.is_inside()) {
-            let called = self.called(instance);
+            let called = self.called(instance, &declared.shape);
             let list = match called.power {
                 None => &mut called.clear_before,
                 Some(_) => &mut called.clear_after,

@@ -3,6 +3,7 @@
 
 mod expansion;
 mod instances;
+mod words;
 
 use std::collections::HashMap;
 

@@ -2,15 +2,37 @@
 
 use crate::index::index;
 use crate::model::{
-    Argument, ArgumentValue, Call, CoilAction, Element, Expr, ExprKind, InstanceId, Net, Program,
-    Relation, Series, Statement, VariableId,
+    Argument, ArgumentValue, BinaryOp, Call, CoilAction, Element, Expr, ExprKind, InstanceId, Net,
+    Place, Program, Relation, Series, Statement, VariableId,
 };
 use crate::source::Span;
+use crate::types::Type;
+
+/// What is read or written of a variable or array.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) struct Part {
+    /// The variable or element; none where an index chooses it while the program runs.
+    element: Option<VariableId>,
+    /// The bit; none for all of it.
+    bit: Option<u32>,
+}
+
+impl Part {
+    /// True if writing one may change the other, of the same variable or array.
+    pub fn overlaps(self, other: Part) -> bool {
+        fn may_meet<T: PartialEq>(a: Option<T>, b: Option<T>) -> bool {
+            a.is_none() || b.is_none() || a == b
+        }
+        may_meet(self.element, other.element) && may_meet(self.bit, other.bit)
+    }
+}
 
 /// A look at a variable.
 #[derive(Clone, Copy)]
 pub(super) struct Read {
+    /// The variable; of an array the first element.
     pub variable: VariableId,
+    pub part: Part,
     /// Number of the rung, from 0.
     pub rung: u32,
     pub span: Span,
@@ -19,7 +41,9 @@ pub(super) struct Read {
 /// A coil or an assignment.
 #[derive(Clone, Copy)]
 pub(super) struct Write {
+    /// The variable; of an array the first element.
     pub variable: VariableId,
+    pub part: Part,
     pub how: Writing,
     /// Number of the rung, from 0.
     pub rung: u32,
@@ -46,6 +70,15 @@ pub(super) struct Comparison<'p> {
     pub span: Span,
 }
 
+/// A division or remainder that a shift does not do.
+pub(super) struct Division {
+    /// The divisor, if it is constant.
+    pub divisor: Option<i64>,
+    /// Of the dividend.
+    pub ty: Type,
+    pub span: Span,
+}
+
 /// How large a rung is.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Size {
@@ -61,6 +94,7 @@ pub(super) struct Index<'p> {
     pub reads: Vec<Read>,
     pub writes: Vec<Write>,
     pub comparisons: Vec<Comparison<'p>>,
+    pub divisions: Vec<Division>,
     pub nets: Vec<&'p Net>,
     /// For each rung.
     pub sizes: Vec<Size>,
@@ -98,7 +132,7 @@ impl<'p> Index<'p> {
         tests.reads.iter().for_each(|read| read_by_tests[index(read.variable)] = true);
         let mut read_counts = vec![0; program.variables.len()];
         walk.reads.iter().for_each(|read| read_counts[index(read.variable)] += 1);
-        let Walk { reads, writes, calls, comparisons, nets, reset, .. } = walk;
+        let Walk { reads, writes, calls, comparisons, divisions, nets, reset, .. } = walk;
         let mut call_of = vec![None; program.instances.len()];
         for &call in &calls {
             call_of[index(call.instance)].get_or_insert(call);
@@ -115,6 +149,7 @@ impl<'p> Index<'p> {
             program,
             reads,
             writes,
+            divisions,
             comparisons,
             nets,
             sizes,
@@ -128,9 +163,36 @@ impl<'p> Index<'p> {
         }
     }
 
-    /// The name of a variable as a user writes it.
+    /// The name of a variable as a user declares it.
     pub fn name(&self, variable: VariableId) -> &'p str {
-        &self.program.variables[variable].name
+        match self.program.array_of(variable) {
+            Some(array) => &self.program.arrays[array].name,
+            None => &self.program.variables[variable].name,
+        }
+    }
+
+    /// The name of a part of a variable as a user writes it.
+    pub fn part_name(&self, variable: VariableId, part: Part) -> String {
+        let name = match part.element {
+            Some(element) => &self.program.variables[element].name,
+            None => self.name(variable),
+        };
+        match part.bit {
+            Some(bit) => format!("{name}.{bit}"),
+            None => name.to_owned(),
+        }
+    }
+
+    /// The value at reset of a part that is always the same.
+    pub fn initial(&self, part: Part) -> i64 {
+        let value = part.element.map_or(0, |element| self.program.variables[element].initial);
+        part.bit.map_or(value, |bit| value >> bit & 1)
+    }
+
+    /// True for every element of an array but the first, which stands for all.
+    pub fn is_further_element(&self, variable: VariableId) -> bool {
+        let array = self.program.array_of(variable);
+        array.is_some_and(|array| self.program.arrays[array].elements.first != variable)
     }
 
     /// True if a rung looks at the variable.
@@ -162,9 +224,29 @@ impl<'p> Index<'p> {
         &self.writes_by_variable[range]
     }
 
-    /// The writes of each variable that has any.
-    pub fn written(&self) -> impl Iterator<Item = &[Write]> {
-        self.writes_by_variable.chunk_by(|a, b| a.variable == b.variable)
+    /// Every part that is written and always the same, with all the writes that may change it.
+    pub fn written(&self) -> Vec<Written> {
+        let mut written = Vec::new();
+        for writes in self.writes_by_variable.chunk_by(|a, b| a.variable == b.variable) {
+            let mut by_element = writes.to_vec();
+            by_element.sort_by_key(|write| write.part.element.map(index));
+            let chosen = by_element.partition_point(|write| write.part.element.is_none());
+            let (chosen, known) = by_element.split_at(chosen);
+            for of_element in known.chunk_by(|a, b| a.part.element == b.part.element) {
+                let mut parts: Vec<Part> = Vec::new();
+                for write in of_element {
+                    if !parts.contains(&write.part) {
+                        parts.push(write.part);
+                    }
+                }
+                written.extend(parts.into_iter().map(|part| {
+                    let all = chosen.iter().chain(of_element).copied();
+                    let writes = all.filter(|write| write.part.overlaps(part)).collect();
+                    Written { variable: of_element[0].variable, part, writes }
+                }));
+            }
+        }
+        written
     }
 
     /// What the call of an instance gives to a parameter.
@@ -184,6 +266,13 @@ impl<'p> Index<'p> {
     }
 }
 
+/// A part of a variable and what writes it.
+pub(super) struct Written {
+    pub variable: VariableId,
+    pub part: Part,
+    pub writes: Vec<Write>,
+}
+
 /// Walks over networks and notes what it meets. Nesting is bounded by the parser.
 struct Walk<'p> {
     program: &'p Program,
@@ -192,6 +281,7 @@ struct Walk<'p> {
     reads: Vec<Read>,
     writes: Vec<Write>,
     calls: Vec<&'p Call>,
+    divisions: Vec<Division>,
     comparisons: Vec<Comparison<'p>>,
     nets: Vec<&'p Net>,
     reset: Vec<bool>,
@@ -206,6 +296,7 @@ impl<'p> Walk<'p> {
             reads: Vec::new(),
             writes: Vec::new(),
             calls: Vec::new(),
+            divisions: Vec::new(),
             comparisons: Vec::new(),
             nets: Vec::new(),
             reset: vec![false; program.instances.len()],
@@ -234,9 +325,9 @@ impl<'p> Walk<'p> {
         self.size.elements += 1;
         match element {
             Element::Constant(_) | Element::OneShot { .. } | Element::Invert => {}
-            Element::Contact { variable, span, .. } => self.read(*variable, *span),
-            Element::Edge { variable, memory, .. } => {
-                self.read(*variable, self.program.variables[*memory].span);
+            Element::Contact { place, span, .. } => self.read(place, *span),
+            Element::Edge { place, memory, .. } => {
+                self.read(place, self.program.variables[*memory].span);
             }
             Element::Parallel(branches) => {
                 // The list itself is no element: its branches are.
@@ -250,14 +341,14 @@ impl<'p> Walk<'p> {
                     CoilAction::Set => Writing::Set,
                     CoilAction::Reset => Writing::Reset,
                 };
-                self.write(*target, how, *span);
+                self.write(target, how, *span);
             }
             Element::ResetInstance(instance) => {
                 self.reset[index(*instance)] = true;
             }
             Element::Assign { target, value, span } => {
                 self.expr(value, *span);
-                self.write(*target, Writing::Assign, *span);
+                self.write(target, Writing::Assign, *span);
             }
             Element::Call(call) => self.call(call),
             Element::Net(net) => {
@@ -282,26 +373,48 @@ impl<'p> Walk<'p> {
 
     fn expr(&mut self, expr: &'p Expr, span: Span) {
         match &expr.kind {
-            ExprKind::Constant(_) => {}
-            ExprKind::Read(variable) => self.read(*variable, span),
-            ExprKind::Not(operand) => self.expr(operand, span),
-            ExprKind::Binary(_, a, b) => {
-                self.expr(a, span);
-                self.expr(b, span);
+            ExprKind::Read(place) => {
+                self.read(place, span);
+                return;
             }
             ExprKind::Compare(relation, a, b) => {
                 self.comparisons.push(Comparison { relation: *relation, sides: [a, b], span });
-                self.expr(a, span);
-                self.expr(b, span);
             }
+            ExprKind::Binary(BinaryOp::Divide | BinaryOp::Modulo, a, b) => {
+                let divisor = b.constant();
+                let is_cheap =
+                    |divisor: i64| divisor == 0 || divisor.unsigned_abs().is_power_of_two();
+                if !divisor.is_some_and(is_cheap) {
+                    self.divisions.push(Division { divisor, ty: a.ty, span });
+                }
+            }
+            ExprKind::Constant(_)
+            | ExprKind::Not(_)
+            | ExprKind::Convert(_)
+            | ExprKind::Binary(..)
+            | ExprKind::Call(..) => {}
         }
+        expr.parts().into_iter().for_each(|part| self.expr(part, span));
     }
 
-    fn read(&mut self, variable: VariableId, span: Span) {
-        self.reads.push(Read { variable, rung: self.rung, span });
+    fn read(&mut self, place: &'p Place, span: Span) {
+        let (variable, part) = self.part(place, span);
+        self.reads.push(Read { variable, part, rung: self.rung, span });
     }
 
-    fn write(&mut self, variable: VariableId, how: Writing, span: Span) {
-        self.writes.push(Write { variable, how, rung: self.rung, span });
+    fn write(&mut self, place: &'p Place, how: Writing, span: Span) {
+        let (variable, part) = self.part(place, span);
+        self.writes.push(Write { variable, part, how, rung: self.rung, span });
+    }
+
+    /// The variable or array of a place, and the part of it that is meant. What an index reads is
+    /// noted.
+    fn part(&mut self, place: &'p Place, span: Span) -> (VariableId, Part) {
+        place.index().into_iter().for_each(|index| self.expr(index, span));
+        let variable = place.declared();
+        let element = place.index().is_none().then_some(variable);
+        let array = self.program.array_of(variable);
+        let declared = array.map_or(variable, |array| self.program.arrays[array].elements.first);
+        (declared, Part { element, bit: place.bit })
     }
 }

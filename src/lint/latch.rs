@@ -1,22 +1,23 @@
 //! Half a latch: set and never reset, or reset and never set.
 
-use super::index::{Index, Write, Writing};
+use super::index::{Index, Write, Writing, Written};
 use crate::diagnostic::{Diagnostic, code};
 use crate::model::Role;
 
 pub(super) fn check(index: &Index, found: &mut Vec<Diagnostic>) {
-    for writes in index.written() {
-        let first = writes[0];
-        let variable = &index.program.variables[first.variable];
+    for Written { variable: id, part, writes } in index.written() {
+        let Some(&first) = writes.iter().find(|write| write.part == part) else { continue };
+        let variable = &index.program.variables[id];
         // A coil is another rule's business, an assignment may be the other half, and what nobody
         // reads has been reported as that.
         let is_half = writes.iter().all(|write| write.how == first.how);
-        if !is_half || (variable.role == Role::Local && !index.is_read(first.variable)) {
+        if !is_half || (variable.role == Role::Local && !index.is_read(id)) {
             continue;
         }
+        let name = index.part_name(id, part);
         found.extend(match first.how {
-            Writing::Set => Some(never_reset(&variable.name, first)),
-            Writing::Reset => Some(never_set(&variable.name, first, variable.initial)),
+            Writing::Set => Some(never_reset(&name, first)),
+            Writing::Reset => Some(never_set(&name, first, index.initial(part))),
             Writing::Coil | Writing::Assign => None,
         });
     }

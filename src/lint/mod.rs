@@ -2,12 +2,14 @@
 //!
 //! A rule is one function in a file of its own, one line in `RULES`, one line in the table of
 //! codes and one page in `docs/errors`, whose two examples are its tests. It looks at the
-//! program through the `Index` of reads and writes, never at the networks.
+//! program through the `Index` of reads and writes, or at the tree for how it is written.
 
 mod allow;
+mod at_rail;
 mod coil_and_latch;
 mod dead_end;
 mod declared;
+mod divider;
 mod double_coil;
 mod idle;
 mod index;
@@ -52,6 +54,7 @@ const RULES: &[Rule] = &[
     preset_zero::check,
     unreset::check,
     running_equality::check,
+    divider::check,
 ];
 
 /// The warnings and notes on a program, in the order of their places. What the options deny is
@@ -71,6 +74,7 @@ pub fn check(
     if !no_rungs::check(file, &mut found) {
         RULES.iter().for_each(|rule| rule(&index, &mut found));
     }
+    at_rail::check(source, file, &mut found);
     idle::check(file, &mut found);
     let allowed = allow::Allowed::new(source, file, &mut found);
     found.retain(|finding| !options.allow.contains(&finding.code) && !allowed.covers(finding));

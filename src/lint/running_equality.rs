@@ -32,7 +32,8 @@ pub(super) fn check(index: &Index, found: &mut Vec<Diagnostic>) {
 
 /// The timer whose elapsed time this is.
 fn elapsed_time(index: &Index, expr: &Expr) -> Option<InstanceId> {
-    let ExprKind::Read(variable) = expr.kind else { return None };
+    let ExprKind::Read(place) = &expr.kind else { return None };
+    let variable = place.as_variable()?;
     let Role::Member(instance, port) = index.program.variables[variable].role else { return None };
     let port = &index.program.instances[instance].shape.ports[port];
     (port.ty == Type::Time && port.role == PortRole::Output).then_some(instance)
@@ -42,17 +43,19 @@ fn elapsed_time(index: &Index, expr: &Expr) -> Option<InstanceId> {
 fn stands_still_at(index: &Index, id: InstanceId, value: &Expr) -> bool {
     let timer = &index.program.instances[id];
     let preset = timer.shape.port_named("PT");
-    match value.kind {
+    match &value.kind {
         ExprKind::Constant(0) => true,
         ExprKind::Constant(value) => {
             let given = preset.and_then(|port| index.argument(id, port));
             matches!(
                 given.map(|argument| &argument.value),
                 Some(ArgumentValue::Value(Expr { kind: ExprKind::Constant(given), .. }))
-                    if *given == value
+                    if given == value
             )
         }
-        ExprKind::Read(variable) => preset.is_some_and(|port| timer.members[port] == variable),
+        ExprKind::Read(place) => {
+            preset.is_some_and(|port| place.as_variable() == Some(timer.members[port]))
+        }
         _ => false,
     }
 }

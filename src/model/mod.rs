@@ -2,23 +2,28 @@
 
 mod expr;
 mod net;
+mod place;
 
 use std::sync::Arc;
 
 use la_arena::{Arena, Idx};
 
 use crate::blocks::{Port, Shape};
+use crate::index::index;
 use crate::source::Span;
 use crate::types::Type;
 
 pub use crate::syntax::ast::Edge;
-pub use expr::{BinaryOp, Expr, ExprKind, Relation};
+pub use expr::{BinaryOp, Expr, ExprKind, Function, Relation, convert};
 pub use net::{Connection, Net, Node};
+pub use place::{Base, Elements, Place};
 
 /// One of a program's variables.
 pub type VariableId = Idx<Variable>;
 /// One of a program's block instances.
 pub type InstanceId = Idx<Instance>;
+/// One of a program's arrays: its place in [`Program::arrays`].
+pub type ArrayId = usize;
 
 /// A checked program.
 #[derive(Debug, Default)]
@@ -33,6 +38,8 @@ pub struct Program {
     pub tick_ns: u64,
     /// Everything that holds a value from scan to scan, each element of the state once.
     pub variables: Arena<Variable>,
+    /// The arrays, in the order of their elements among the variables.
+    pub arrays: Vec<Array>,
     /// The block instances in text order of their calls.
     pub instances: Arena<Instance>,
     /// The dividers that make units of time of the tick. They are called in front of the rungs, and
@@ -50,6 +57,14 @@ impl Program {
     /// The variables of one role, in the order of their declaration.
     pub fn with_role(&self, role: Role) -> impl Iterator<Item = (VariableId, &Variable)> {
         self.variables.iter().filter(move |(_, variable)| variable.role == role)
+    }
+
+    /// The array that a variable is an element of, if it is one.
+    pub fn array_of(&self, variable: VariableId) -> Option<ArrayId> {
+        let starts_before = |array: &Array| index(array.elements.first) <= index(variable);
+        let id = self.arrays.partition_point(starts_before).checked_sub(1)?;
+        let Elements { first, length } = self.arrays[id].elements;
+        (index(variable) - index(first) < length as usize).then_some(id)
     }
 
     /// True if a program can name the variable.
@@ -128,6 +143,15 @@ pub struct Variable {
     pub address: Option<u16>,
     /// Where it is declared, or the element that needs it.
     pub span: Span,
+}
+
+/// Variables under one name.
+#[derive(Debug)]
+pub struct Array {
+    /// The user's name.
+    pub name: Arc<str>,
+    /// Its variables; each is named `name[index]`.
+    pub elements: Elements,
 }
 
 /// A name for a value.
@@ -220,10 +244,10 @@ pub type Series = Vec<Element>;
 pub enum Element {
     /// A wire or an open contact.
     Constant(bool),
-    /// Conducts while the variable is 1, or, negated, while it is 0.
+    /// Conducts while the place is 1, or, negated, while it is 0.
     Contact {
         /// A `BOOL`.
-        variable: VariableId,
+        place: Place,
         /// Normally closed.
         negated: bool,
         /// Its place.
@@ -232,7 +256,7 @@ pub enum Element {
     /// Conducts in the scan of a change.
     Edge {
         /// A `BOOL`.
-        variable: VariableId,
+        place: Place,
         /// Which change.
         edge: Edge,
         /// Of role [`Role::EdgeMemory`], this element's alone.
@@ -253,8 +277,8 @@ pub enum Element {
     Compare(Expr, Span),
     /// Writes a `BOOL` from the power and passes the power on.
     Coil {
-        /// Not an input.
-        target: VariableId,
+        /// A `BOOL`, not of an input.
+        target: Place,
         /// What it writes.
         action: CoilAction,
         /// Its place.
@@ -264,8 +288,8 @@ pub enum Element {
     ResetInstance(InstanceId),
     /// Writes when powered; passes the power on.
     Assign {
-        /// Not an input.
-        target: VariableId,
+        /// Not of an input.
+        target: Place,
         /// Of the target's type.
         value: Expr,
         /// Its place.
@@ -340,8 +364,9 @@ pub struct Test {
 /// One statement of a test.
 #[derive(Debug)]
 pub enum Statement {
-    /// Drives an input until it is driven again.
-    Drive(VariableId, i64),
+    /// Drives an input, an element or a bit of one until it is driven again. No index is to be
+    /// worked out.
+    Drive(Place, i64),
     /// Runs that many scans without a tick.
     Scan(u64),
     /// Runs that many scans with a tick each.

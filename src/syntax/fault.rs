@@ -69,7 +69,13 @@ pub(super) fn reserved_name(word: &str, span: Span) -> Diagnostic {
         format!("`{word}` is a reserved word and cannot be a name"),
     )
     .label("a name belongs here")
-    .help(format!("choose another name, or write it in back-ticks: `` `{word}` ``"))
+    .help(match word {
+        "AND" | "OR" | "XOR" | "NOT" => format!(
+            "`{word}` stands in expressions: `{{ a AND NOT b }}`; contacts are written `a !b` in \
+             series, `[ a | b ]` in parallel"
+        ),
+        _ => format!("choose another name, or write it in back-ticks: `` `{word}` ``"),
+    })
 }
 
 /// The token at the start of a text.

@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
-use hotrail::backend::hdl::{self, Language, Options, PortNames};
+use hotrail::backend::hdl::{self, Language, Options, PortName, PortNames};
 use hotrail::circuit::Design;
 
 use super::{require_tool, run};
@@ -25,24 +25,22 @@ impl Bench {
     /// For the program itself.
     pub fn of_core(design: &Design, options: &Options) -> Bench {
         let ports = hdl::port_names(design, options);
-        Bench::new(design, ports.module.clone(), ports, 0)
+        Bench::new(ports.module.clone(), ports, 0)
     }
 
     /// For the wrapper, which has no input for the tick.
     pub fn of_wrapper(design: &Design, options: &Options) -> Bench {
         let ports = hdl::port_names(design, options);
-        Bench::new(design, ports.wrapper.clone(), ports, 1)
+        Bench::new(ports.wrapper.clone(), ports, 1)
     }
 
-    fn new(design: &Design, module: String, ports: PortNames, skip: usize) -> Bench {
-        let circuit = design.top();
-        let widths = circuit.inputs.iter().map(|input| input.width);
-        let shown = circuit.outputs.iter().map(|output| circuit.width(output.net));
+    fn new(module: String, ports: PortNames, skip: usize) -> Bench {
+        let named = |ports: Vec<PortName>| ports.into_iter().map(|port| (port.name, port.width));
         Bench {
             module,
             reset: ports.reset,
-            inputs: ports.inputs.into_iter().zip(widths).skip(skip).collect(),
-            outputs: ports.outputs.into_iter().zip(shown).collect(),
+            inputs: named(ports.inputs).skip(skip).collect(),
+            outputs: named(ports.outputs).collect(),
         }
     }
 

@@ -47,8 +47,17 @@ pub fn start_stop() -> Valid<Design> {
     design.validate().expect("the test's design is valid")
 }
 
-/// A circuit of all operations on words and bits of several widths, without instances.
+/// A circuit of operations on words and bits of several widths, without instances.
 pub fn random(seed: u64) -> Valid<Design> {
+    random_of(seed, false)
+}
+
+/// The same with products and quotients, which a solver cannot prove equal bit by bit.
+pub fn random_with_products(seed: u64) -> Valid<Design> {
+    random_of(seed, true)
+}
+
+fn random_of(seed: u64, has_products: bool) -> Valid<Design> {
     let mut random = fastrand::Rng::with_seed(seed);
     let mut circuit = Circuit::new(format!("random_{seed}"));
     let widths = [1, 1, 2, 7, 16, 32, 33, 64];
@@ -68,7 +77,7 @@ pub fn random(seed: u64) -> Valid<Design> {
             let rung = step / 8 + 1;
             circuit.section(format!("rung {rung}"), rung);
         }
-        let net = random_cell(&mut circuit, &mut random, &nets);
+        let net = random_cell(&mut circuit, &mut random, &nets, has_products);
         if random.u32(..10) == 0 {
             let version = if random.bool() { Version::Last } else { Version::Rung(step / 8 + 1) };
             let name = format!("s{}", random.u32(..20));
@@ -114,12 +123,17 @@ fn of_width(
     }
 }
 
-fn random_cell(circuit: &mut Circuit, random: &mut fastrand::Rng, nets: &[Net]) -> Net {
+fn random_cell(
+    circuit: &mut Circuit,
+    random: &mut fastrand::Rng,
+    nets: &[Net],
+    has_products: bool,
+) -> Net {
     let a = of_width(circuit, random, nets, None);
     let width = circuit.width(a);
     let mut other = |circuit: &mut Circuit, width| of_width(circuit, random, nets, Some(width));
     let (b, c, select) = (other(circuit, width), other(circuit, width), other(circuit, 1));
-    match random.u32(..12) {
+    match random.u32(..17) {
         0 => circuit.not(a),
         1 | 2 => circuit.and([a, b, c]),
         3 | 4 => circuit.or([b, a]),
@@ -135,6 +149,11 @@ fn random_cell(circuit: &mut Circuit, random: &mut fastrand::Rng, nets: &[Net]) 
             let less = circuit.less(a, b, random.bool());
             if random.bool() { circuit.not(less) } else { less }
         }
+        11 if has_products => circuit.mul(a, b),
+        12 if has_products => circuit.div(a, b),
+        13 if has_products => circuit.rem(b, a),
+        14 if width < 32 => circuit.concat([a, select, b]),
+        15 => circuit.with_bit(a, random.u32(..width), select),
         _ => {
             let low = random.u32(..width);
             circuit.slice(a, low, random.u32(1..=width - low))

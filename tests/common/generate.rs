@@ -1,10 +1,13 @@
 //! Random programs, as text, that cover the language. One seed is one program.
 
+mod words;
+
 use std::fmt::Write;
 
 use fastrand::Rng;
 use hotrail::blocks::{self, Block, Choice, Port, PortRole, Setting, Shape};
 use hotrail::types::Type;
+use words::Array;
 
 const NUMBERS: [&str; 7] = ["INT", "UINT", "DINT", "UDINT", "WORD", "DWORD", "TIME"];
 /// Lengths of the tick in milliseconds: the longer ones let blocks that count seconds count.
@@ -14,6 +17,7 @@ const RELATIONS: [&str; 6] = ["=", "<>", "<", "<=", ">", ">="];
 /// A program under construction.
 struct Generator {
     random: Rng,
+    has_products: bool,
     /// The tick in milliseconds.
     tick: u64,
     /// Names of type `BOOL` that can be read, and those of them that can be written.
@@ -22,9 +26,12 @@ struct Generator {
     /// Names and types of numbers that can be read, and those that can be written.
     numbers: Vec<(String, &'static str)>,
     targets: Vec<(String, &'static str)>,
+    arrays: Vec<Array>,
     /// Blocks still to be called.
     uncalled: Vec<Uncalled>,
     instances: Vec<String>,
+    /// Instances on which two kinds may be called and one is.
+    paired: Vec<String>,
     /// What is made stands in a connection of a general network.
     in_net: bool,
 }
@@ -41,15 +48,27 @@ struct Uncalled {
 
 /// The text of the random program of a seed.
 pub fn program(seed: u64) -> String {
+    program_of(seed, true)
+}
+
+/// One without products and quotients, which a solver cannot prove equal bit by bit.
+pub fn program_without_products(seed: u64) -> String {
+    program_of(seed, false)
+}
+
+fn program_of(seed: u64, has_products: bool) -> String {
     let mut generator = Generator {
         random: Rng::with_seed(seed),
+        has_products,
         tick: 1,
         bits: vec!["first_scan".to_owned()],
         coils: Vec::new(),
         numbers: Vec::new(),
         targets: Vec::new(),
+        arrays: Vec::new(),
         uncalled: Vec::new(),
         instances: Vec::new(),
+        paired: Vec::new(),
         in_net: false,
     };
     generator.tick = generator.pick(&TICKS);
@@ -101,6 +120,7 @@ impl Generator {
                     }
                 }
             }
+            self.array(kind, letter, text);
         }
         for index in 0..self.random.usize(..4) {
             self.block(format!("b{index}"));
@@ -271,7 +291,9 @@ impl Generator {
             1..=2 => {
                 let bits: Vec<String> =
                     self.bits.iter().filter(|bit| *bit != "first_scan").cloned().collect();
+                let inner = if self.chance(4) { self.inner_bit(false) } else { None };
                 let (edge, bit) = (self.pick(&["rise", "fall"]), self.pick(&bits));
+                let bit = inner.unwrap_or(bit);
                 format!("{edge}({bit})")
             }
             3..=4 => {
@@ -284,7 +306,8 @@ impl Generator {
                 format!("[ {} ]", list.join(" | "))
             }
             _ => {
-                let bit = self.pick(&self.bits.clone());
+                let inner = if self.chance(4) { self.inner_bit(false) } else { None };
+                let bit = inner.unwrap_or_else(|| self.pick(&self.bits.clone()));
                 format!("{}{bit}", self.pick(&["", "", "!"]))
             }
         }
@@ -293,7 +316,8 @@ impl Generator {
     fn output(&mut self) -> String {
         match self.random.u32(..12) {
             0..=2 if !self.targets.is_empty() => {
-                let (target, ty) = self.pick(&self.targets.clone());
+                let element = if self.chance(4) { self.target_element() } else { None };
+                let (target, ty) = element.unwrap_or_else(|| self.pick(&self.targets.clone()));
                 let value = self.number(ty, 2);
                 format!("{{ {target} := {value} }}")
             }
@@ -301,7 +325,8 @@ impl Generator {
                 format!("(R {})", self.pick(&self.instances.clone()))
             }
             _ => {
-                let coil = self.pick(&self.coils.clone());
+                let inner = if self.chance(4) { self.inner_bit(true) } else { None };
+                let coil = inner.unwrap_or_else(|| self.pick(&self.coils.clone()));
                 let action = self.pick(&["", "", "", "", "!", "S ", "R ", "rise ", "fall "]);
                 format!("({action}{coil})")
             }
@@ -322,6 +347,17 @@ impl Generator {
                 None => format!("[ {} ]", self.looks(1)),
             };
             arguments.push(format!("{} := {value}", port.name));
+        }
+        if let Some(partner) = shape.block.partner.filter(|_| !self.paired.contains(&name)) {
+            self.paired.push(name.clone());
+            if self.random.bool() {
+                let partner = blocks::named(partner).unwrap();
+                let shape = Shape::new(partner, shape.chosen.clone());
+                // The first call in the text has said everything.
+                let left_out = vec![true; shape.ports.len()];
+                let (name, settings) = (name.clone(), Vec::new());
+                self.uncalled.push(Uncalled { name, shape, settings, left_out });
+            }
         }
         self.random.shuffle(&mut arguments);
         format!("{name}:{}({})", shape.block.name, arguments.join(", "))
@@ -369,6 +405,12 @@ impl Generator {
         let same: Vec<String> =
             self.numbers.iter().filter(|number| number.1 == ty).map(|n| n.0.clone()).collect();
         let is_pattern = matches!(ty, "WORD" | "DWORD");
+        if depth > 0
+            && self.chance(3)
+            && let Some(worked_out) = self.worked_out(ty, depth)
+        {
+            return worked_out;
+        }
         match self.random.u32(..5) {
             0..=1 if depth > 0 => {
                 let (a, b) = (self.number(ty, depth - 1), self.number(ty, depth - 1));

@@ -48,12 +48,21 @@ impl<'a> Interpreter<'a> {
             Op::Mux { select, on, off } => value(if value(select) == 1 { on } else { off }),
             Op::Add(a, b) => value(a).wrapping_add(value(b)),
             Op::Sub(a, b) => value(a).wrapping_sub(value(b)),
+            Op::Mul(a, b) => value(a).wrapping_mul(value(b)),
+            Op::Div(_, b) | Op::Rem(_, b) if value(b) == 0 => 0,
+            Op::Div(a, b) => value(a) / value(b),
+            Op::Rem(a, b) => value(a) % value(b),
             Op::Eq(a, b) => (value(a) == value(b)).into(),
             Op::Less { a, b, signed: true } => (signed(a) < signed(b)).into(),
             Op::Less { a, b, signed: false } => (value(a) < value(b)).into(),
             Op::Extend { from, signed: true } => signed(from) as u64,
             Op::Extend { from, signed: false } => value(from),
             Op::Slice { from, low } => value(from) >> low,
+            Op::Concat(list) => self
+                .circuit
+                .list(list)
+                .iter()
+                .fold(0, |high, &net| high << self.circuit.width(net) | value(net)),
         }
     }
 }

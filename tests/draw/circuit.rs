@@ -24,12 +24,14 @@ struct Drawn {
 
 /// The wires of a rung.
 pub struct Circuit {
-    /// For each cell of a wire, the cell that stands for all that are joined with it.
+    /// For each cell of a wire along a column, the one that stands for all that it is joined with.
     joined: HashMap<(i32, i32), (i32, i32)>,
     drawn: HashMap<ElementId, Drawn>,
+    /// Boxes that stand for what is drawn further down.
+    put_off: Vec<Drawn>,
     /// Where power comes from.
     sources: Vec<Point>,
-    /// Marks: where the power of one comes from, and the elements that are drawn under one.
+    /// Where power comes from and where it goes to: along rows, and from mark to mark.
     jumps: Vec<(Point, Point)>,
 }
 
@@ -42,6 +44,7 @@ impl Circuit {
         let mut circuit = Circuit {
             joined: HashMap::new(),
             drawn: HashMap::new(),
+            put_off: Vec::new(),
             sources: Vec::new(),
             jumps: Vec::new(),
         };
@@ -69,8 +72,16 @@ impl Circuit {
                         right: Point { x: to.x, y },
                         side: Some((from.x, y + 1, to.y)),
                     };
-                    circuit.drawn.insert(part.element.unwrap(), drawn);
+                    match part.element {
+                        Some(element) => {
+                            let twice = circuit.drawn.insert(element, drawn);
+                            assert!(twice.is_none(), "element {element} is drawn twice");
+                        }
+                        None => circuit.put_off.push(drawn),
+                    }
                 }
+                // The connections of a network are looked at one by one, each fed with power.
+                Shape::Dot(at) => circuit.sources.push(*at),
                 _ => {}
             }
         }
@@ -78,12 +89,14 @@ impl Circuit {
         circuit
     }
 
+    /// Power runs from left to right, as in every ladder, and both ways along a column.
     fn wire(&mut self, from: Point, to: Point) {
-        for x in from.x..=to.x {
-            for y in from.y..=to.y {
-                let (a, b) = (self.node(from), self.node(Point { x, y }));
-                self.joined.insert(b, a);
-            }
+        if from.y == to.y {
+            return self.jumps.push((from, to));
+        }
+        for y in from.y..=to.y {
+            let (a, b) = (self.node(from), self.node(Point { y, ..from }));
+            self.joined.insert(b, a);
         }
     }
 
@@ -116,11 +129,10 @@ impl Circuit {
             assert_eq!(previous, None, "two marks {}", text.text);
         }
         for (mark, at) in boxes {
-            // A box that stands for what is drawn further down is no element here.
-            let holds =
-                |drawn: &Drawn| drawn.left.y == at.y && drawn.left.x < at.x && at.x < drawn.right.x;
-            let element = *self.drawn.iter().find(|(_, drawn)| holds(drawn)).unwrap().0;
-            let drawn = self.drawn.remove(&element).unwrap();
+            let holds = |drawn: &&Drawn| {
+                drawn.left.y == at.y && drawn.left.x < at.x && at.x < drawn.right.x
+            };
+            let drawn = self.put_off.iter().find(holds).unwrap();
             self.jumps.push((drawn.left, to.remove(mark).unwrap()));
             self.jumps.push((from.remove(mark).unwrap(), drawn.right));
         }
@@ -128,11 +140,6 @@ impl Circuit {
             self.jumps.push((from.remove(mark).unwrap_or_else(|| panic!("no mark {mark}")), at));
         }
         assert!(from.is_empty(), "{from:?} lead nowhere");
-    }
-
-    /// The elements that are drawn.
-    pub fn elements(&self) -> Vec<ElementId> {
-        self.drawn.keys().copied().collect()
     }
 
     /// For each element that is drawn, whether power arrives, and at how many of its pins.

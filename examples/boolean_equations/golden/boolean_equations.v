@@ -17,17 +17,19 @@ module boolean_equations_CTU_PV10 (
   input  wire power,
   output wire Q
 );
-  reg [15:0] CV = 16'd0;
+  reg [3:0] CV = 4'd0;
   reg was = 1'b0;
 
-  wire unequal = CV != 16'd32767;
-  wire [15:0] CV_next = CV + {15'b0, power & ~was & unequal};
+  wire condition = power & ~was;
+  wire equal = CV == 4'ha;
+  wire [3:0] CV_next = CV + {3'b0, condition & ~equal};
+  wire equal_2 = CV == 4'h9;
 
-  assign Q = $signed(CV_next) >= 16'sd10;
+  assign Q = condition & equal_2 | equal;
 
   always @(posedge clk) begin
     if (rst) begin
-      CV <= 16'd0;
+      CV <= 4'd0;
       was <= 1'b0;
     end else begin
       CV <= CV_next;

@@ -20,15 +20,19 @@ entity boolean_equations_CTU_PV10 is
 end entity boolean_equations_CTU_PV10;
 
 architecture rtl of boolean_equations_CTU_PV10 is
-  signal CV : unsigned(15 downto 0) := (others => '0');
+  signal CV : unsigned(3 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal unequal : std_logic;
-  signal CV_next : unsigned(15 downto 0);
+  signal condition : std_logic;
+  signal equal : std_logic;
+  signal CV_next : unsigned(3 downto 0);
+  signal equal_2 : std_logic;
 begin
-  unequal <= '1' when CV /= 32767 else '0';
-  CV_next <= CV + (to_unsigned(0, 15) & (power and not was and unequal));
+  condition <= power and not was;
+  equal <= '1' when CV = 10 else '0';
+  CV_next <= CV + (to_unsigned(0, 3) & (condition and not equal));
+  equal_2 <= '1' when CV = 9 else '0';
 
-  Q <= '1' when signed(CV_next) >= 10 else '0';
+  Q <= (condition and equal_2) or equal;
 
   process (clk)
   begin

@@ -17,20 +17,20 @@ module boolean_equations_test_CTU_PV10 (
   input  wire        rst,
   input  wire        power,
   output wire        Q,
-  output wire [15:0] CV_last
+  output wire [14:0] CV_last
 );
-  reg [15:0] CV = 16'd0;
+  reg [14:0] CV = 15'd0;
   reg was = 1'b0;
 
-  wire unequal = CV != 16'd32767;
-  wire [15:0] CV_next = CV + {15'b0, power & ~was & unequal};
+  wire unequal = CV != 15'h7fff;
+  wire [14:0] CV_next = CV + {14'b0, power & ~was & unequal};
 
-  assign Q = $signed(CV_next) >= 16'sd10;
+  assign Q = CV_next >= 15'd10;
   assign CV_last = CV;
 
   always @(posedge clk) begin
     if (rst) begin
-      CV <= 16'd0;
+      CV <= 15'd0;
       was <= 1'b0;
     end else begin
       CV <= CV_next;
@@ -59,7 +59,7 @@ module boolean_equations_test (
 
   // rung 2 "C2(K10) <- X2", boolean_equations.ladder:11
   wire C2_Q;
-  wire [15:0] C2_CV_last;
+  wire [14:0] C2_CV_last;
   boolean_equations_test_CTU_PV10 C2 (
     .clk(clk),
     .rst(rst),
@@ -69,11 +69,12 @@ module boolean_equations_test (
   );
 
   // rung 3 "Y2 <- C2", boolean_equations.ladder:14
+  wire [15:0] C2_CV_value = {1'b0, C2_CV_last};
   wire Y2_next = C2_Q;
 
   assign Y1 = Y1_reg;
   assign Y2 = Y2_reg;
-  assign C2_CV = C2_CV_last;
+  assign C2_CV = C2_CV_value;
 
   always @(posedge clk) begin
     if (rst) begin

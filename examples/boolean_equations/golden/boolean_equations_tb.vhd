@@ -19,20 +19,20 @@ entity boolean_equations_test_CTU_PV10 is
     rst     : in  std_logic;
     power   : in  std_logic;
     Q       : out std_logic;
-    CV_last : out unsigned(15 downto 0)
+    CV_last : out unsigned(14 downto 0)
   );
 end entity boolean_equations_test_CTU_PV10;
 
 architecture rtl of boolean_equations_test_CTU_PV10 is
-  signal CV : unsigned(15 downto 0) := (others => '0');
+  signal CV : unsigned(14 downto 0) := (others => '0');
   signal was : std_logic := '0';
   signal unequal : std_logic;
-  signal CV_next : unsigned(15 downto 0);
+  signal CV_next : unsigned(14 downto 0);
 begin
   unequal <= '1' when CV /= 32767 else '0';
-  CV_next <= CV + (to_unsigned(0, 15) & (power and not was and unequal));
+  CV_next <= CV + (to_unsigned(0, 14) & (power and not was and unequal));
 
-  Q <= '1' when signed(CV_next) >= 10 else '0';
+  Q <= '1' when CV_next >= 10 else '0';
   CV_last <= CV;
 
   process (clk)
@@ -73,7 +73,8 @@ architecture rtl of boolean_equations_test is
   signal Y2_reg : std_logic := '0';
   signal Y1_next : std_logic;
   signal C2_Q : std_logic;
-  signal C2_CV_last : unsigned(15 downto 0);
+  signal C2_CV_last : unsigned(14 downto 0);
+  signal C2_CV_value : unsigned(15 downto 0);
   signal Y2_next : std_logic;
 begin
 
@@ -91,11 +92,12 @@ begin
     );
 
   -- rung 3 "Y2 <- C2", boolean_equations.ladder:14
+  C2_CV_value <= resize(C2_CV_last, 16);
   Y2_next <= C2_Q;
 
   Y1 <= Y1_reg;
   Y2 <= Y2_reg;
-  C2_CV <= std_logic_vector(C2_CV_last);
+  C2_CV <= std_logic_vector(C2_CV_value);
 
   process (clk)
   begin

@@ -17,23 +17,23 @@ module box_grouping_TOF_PT1000 (
   input  wire power,
   output wire Q
 );
-  reg [31:0] ET = 32'd0;
+  reg [9:0] ET = 10'd0;
   reg run = 1'b0;
   reg was = 1'b0;
 
-  wire less = $signed(ET) < 32'sd1000;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] choice = was ? 32'd0 : sum;
-  wire less_2 = $signed(choice) < 32'sd1000;
-  wire [31:0] choice_2 = run ? choice : ET;
-  wire [31:0] ET_next = power ? 32'd0 : choice_2;
-  wire run_next = power | run & less_2;
+  wire equal = ET == 10'h3e8;
+  wire [9:0] sum = ET + {9'b0, tick & ~equal};
+  wire [9:0] choice = was ? 10'd0 : sum;
+  wire equal_2 = ET == 10'h3e7;
+  wire [9:0] choice_2 = run ? choice : ET;
+  wire [9:0] ET_next = power ? 10'd0 : choice_2;
+  wire run_next = power | run & ~(~was & (tick & equal_2 | equal));
 
   assign Q = run_next;
 
   always @(posedge clk) begin
     if (rst) begin
-      ET <= 32'd0;
+      ET <= 10'd0;
       run <= 1'b0;
       was <= 1'b0;
     end else begin
@@ -68,11 +68,11 @@ module box_grouping_CTUD_PV4 (
 
   wire condition = power & ~was;
   wire condition_2 = CD & ~was_down;
-  wire less = $signed(CV) < 16'sd32767;
-  wire greater = $signed(CV) > 16'sh8000;
-  wire [15:0] choice =
-      (condition_2 & ~condition & greater) ? 16'hffff : {15'b0, condition & ~condition_2 & less};
-  wire [15:0] sum = CV + choice;
+  wire unequal = CV != 16'd32767;
+  wire unequal_2 = CV != 16'h8000;
+  wire [1:0] choice =
+      (condition_2 & ~condition & unequal_2) ? 2'h3 : {1'b0, condition & ~condition_2 & unequal};
+  wire [15:0] sum = CV + {{14{choice[1]}}, choice};
   wire [15:0] CV_next = R ? 16'd0 : sum;
 
   assign QU = $signed(CV_next) >= 16'sd4;
@@ -106,9 +106,8 @@ module box_grouping (
   reg eye_in_before = 1'b0;
   reg pull_cord_before = 1'b0;
   reg conveyor_1_reg = 1'b0;
-  reg unloading = 1'b0;
-  reg conveyor_2_reg = 1'b0;
   reg conveyor_3_reg = 1'b0;
+  reg conveyor_2_reg = 1'b0;
 
   // rung 1 "a box has passed the eye", box_grouping.ladder:13
   wire box_passed = eye_in_before & ~eye_in;
@@ -140,16 +139,15 @@ module box_grouping (
   );
 
   // rung 5 "four are a group, once the last one is in its place", box_grouping.ladder:25
-  wire unloading_rung5 = boxes_QU & ~past_eye_Q | unloading;
+  wire unloading_rung5 = boxes_QU & ~past_eye_Q | conveyor_3_reg;
 
   // rung 6 "until the last one has gone", box_grouping.ladder:28
-  wire unloading_next = unloading_rung5 & ~(boxes_QD & ~eye_out);
+  wire conveyor_3_next = unloading_rung5 & ~(boxes_QD & ~eye_out);
 
   // rung 7 "conveyor 2", box_grouping.ladder:31
-  wire conveyor_2_next = past_eye_Q | unloading_next;
+  wire conveyor_2_next = past_eye_Q | conveyor_3_next;
 
   // rung 8 "conveyor 3", box_grouping.ladder:34
-  wire conveyor_3_next = unloading_next;
 
   assign conveyor_1 = conveyor_1_reg;
   assign conveyor_2 = conveyor_2_reg;
@@ -160,16 +158,14 @@ module box_grouping (
       eye_in_before <= 1'b0;
       pull_cord_before <= 1'b0;
       conveyor_1_reg <= 1'b0;
-      unloading <= 1'b0;
-      conveyor_2_reg <= 1'b0;
       conveyor_3_reg <= 1'b0;
+      conveyor_2_reg <= 1'b0;
     end else begin
       eye_in_before <= eye_in;
       pull_cord_before <= pull_cord;
       conveyor_1_reg <= conveyor_1_next;
-      unloading <= unloading_next;
-      conveyor_2_reg <= conveyor_2_next;
       conveyor_3_reg <= conveyor_3_next;
+      conveyor_2_reg <= conveyor_2_next;
     end
   end
 endmodule

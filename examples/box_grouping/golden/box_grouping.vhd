@@ -20,24 +20,24 @@ entity box_grouping_TOF_PT1000 is
 end entity box_grouping_TOF_PT1000;
 
 architecture rtl of box_grouping_TOF_PT1000 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(9 downto 0) := (others => '0');
   signal run : std_logic := '0';
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal choice : unsigned(31 downto 0);
-  signal less_2 : std_logic;
-  signal choice_2 : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
+  signal equal : std_logic;
+  signal sum : unsigned(9 downto 0);
+  signal choice : unsigned(9 downto 0);
+  signal equal_2 : std_logic;
+  signal choice_2 : unsigned(9 downto 0);
+  signal ET_next : unsigned(9 downto 0);
   signal run_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 1000 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  choice <= to_unsigned(0, 32) when was = '1' else sum;
-  less_2 <= '1' when signed(choice) < 1000 else '0';
+  equal <= '1' when ET = 1000 else '0';
+  sum <= ET + (to_unsigned(0, 9) & (tick and not equal));
+  choice <= to_unsigned(0, 10) when was = '1' else sum;
+  equal_2 <= '1' when ET = 999 else '0';
   choice_2 <= choice when run = '1' else ET;
-  ET_next <= to_unsigned(0, 32) when power = '1' else choice_2;
-  run_next <= power or (run and less_2);
+  ET_next <= to_unsigned(0, 10) when power = '1' else choice_2;
+  run_next <= power or (run and not (not was and ((tick and equal_2) or equal)));
 
   Q <= run_next;
 
@@ -88,20 +88,20 @@ architecture rtl of box_grouping_CTUD_PV4 is
   signal was_down : std_logic := '0';
   signal condition : std_logic;
   signal condition_2 : std_logic;
-  signal less : std_logic;
-  signal greater : std_logic;
-  signal choice : unsigned(15 downto 0);
+  signal unequal : std_logic;
+  signal unequal_2 : std_logic;
+  signal choice : unsigned(1 downto 0);
   signal sum : unsigned(15 downto 0);
   signal CV_next : unsigned(15 downto 0);
 begin
   condition <= power and not was;
   condition_2 <= CD and not was_down;
-  less <= '1' when signed(CV) < 32767 else '0';
-  greater <= '1' when signed(CV) > -32768 else '0';
+  unequal <= '1' when CV /= 32767 else '0';
+  unequal_2 <= '1' when CV /= 32768 else '0';
   choice <=
-      x"FFFF" when (condition_2 and not condition and greater) = '1'
-      else to_unsigned(0, 15) & (condition and not condition_2 and less);
-  sum <= CV + choice;
+      "11" when (condition_2 and not condition and unequal_2) = '1'
+      else to_unsigned(0, 1) & (condition and not condition_2 and unequal);
+  sum <= CV + unsigned(resize(signed(choice), 16));
   CV_next <= to_unsigned(0, 16) when R = '1' else sum;
 
   QU <= '1' when signed(CV_next) >= 4 else '0';
@@ -146,18 +146,16 @@ architecture rtl of box_grouping is
   signal eye_in_before : std_logic := '0';
   signal pull_cord_before : std_logic := '0';
   signal conveyor_1_reg : std_logic := '0';
-  signal unloading : std_logic := '0';
-  signal conveyor_2_reg : std_logic := '0';
   signal conveyor_3_reg : std_logic := '0';
+  signal conveyor_2_reg : std_logic := '0';
   signal box_passed : std_logic;
   signal conveyor_1_next : std_logic;
   signal past_eye_Q : std_logic;
   signal boxes_QU : std_logic;
   signal boxes_QD : std_logic;
   signal unloading_rung5 : std_logic;
-  signal unloading_next : std_logic;
-  signal conveyor_2_next : std_logic;
   signal conveyor_3_next : std_logic;
+  signal conveyor_2_next : std_logic;
 begin
 
   -- rung 1 "a box has passed the eye", box_grouping.ladder:13
@@ -189,16 +187,15 @@ begin
     );
 
   -- rung 5 "four are a group, once the last one is in its place", box_grouping.ladder:25
-  unloading_rung5 <= (boxes_QU and not past_eye_Q) or unloading;
+  unloading_rung5 <= (boxes_QU and not past_eye_Q) or conveyor_3_reg;
 
   -- rung 6 "until the last one has gone", box_grouping.ladder:28
-  unloading_next <= unloading_rung5 and not (boxes_QD and not eye_out);
+  conveyor_3_next <= unloading_rung5 and not (boxes_QD and not eye_out);
 
   -- rung 7 "conveyor 2", box_grouping.ladder:31
-  conveyor_2_next <= past_eye_Q or unloading_next;
+  conveyor_2_next <= past_eye_Q or conveyor_3_next;
 
   -- rung 8 "conveyor 3", box_grouping.ladder:34
-  conveyor_3_next <= unloading_next;
 
   conveyor_1 <= conveyor_1_reg;
   conveyor_2 <= conveyor_2_reg;
@@ -211,16 +208,14 @@ begin
         eye_in_before <= '0';
         pull_cord_before <= '0';
         conveyor_1_reg <= '0';
-        unloading <= '0';
-        conveyor_2_reg <= '0';
         conveyor_3_reg <= '0';
+        conveyor_2_reg <= '0';
       else
         eye_in_before <= eye_in;
         pull_cord_before <= pull_cord;
         conveyor_1_reg <= conveyor_1_next;
-        unloading <= unloading_next;
-        conveyor_2_reg <= conveyor_2_next;
         conveyor_3_reg <= conveyor_3_next;
+        conveyor_2_reg <= conveyor_2_next;
       end if;
     end if;
   end process;

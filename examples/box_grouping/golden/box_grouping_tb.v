@@ -18,23 +18,23 @@ module box_grouping_test_TOF_PT1000 (
   input  wire power,
   output wire Q
 );
-  reg [31:0] ET = 32'd0;
+  reg [9:0] ET = 10'd0;
   reg run = 1'b0;
   reg was = 1'b0;
 
-  wire less = $signed(ET) < 32'sd1000;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] choice = was ? 32'd0 : sum;
-  wire less_2 = $signed(choice) < 32'sd1000;
-  wire [31:0] choice_2 = run ? choice : ET;
-  wire [31:0] ET_next = power ? 32'd0 : choice_2;
-  wire run_next = power | run & less_2;
+  wire equal = ET == 10'h3e8;
+  wire [9:0] sum = ET + {9'b0, tick & ~equal};
+  wire [9:0] choice = was ? 10'd0 : sum;
+  wire equal_2 = ET == 10'h3e7;
+  wire [9:0] choice_2 = run ? choice : ET;
+  wire [9:0] ET_next = power ? 10'd0 : choice_2;
+  wire run_next = power | run & ~(~was & (tick & equal_2 | equal));
 
   assign Q = run_next;
 
   always @(posedge clk) begin
     if (rst) begin
-      ET <= 32'd0;
+      ET <= 10'd0;
       run <= 1'b0;
       was <= 1'b0;
     end else begin
@@ -70,11 +70,11 @@ module box_grouping_test_CTUD_PV4 (
 
   wire condition = power & ~was;
   wire condition_2 = CD & ~was_down;
-  wire less = $signed(CV) < 16'sd32767;
-  wire greater = $signed(CV) > 16'sh8000;
-  wire [15:0] choice =
-      (condition_2 & ~condition & greater) ? 16'hffff : {15'b0, condition & ~condition_2 & less};
-  wire [15:0] sum = CV + choice;
+  wire unequal = CV != 16'd32767;
+  wire unequal_2 = CV != 16'h8000;
+  wire [1:0] choice =
+      (condition_2 & ~condition & unequal_2) ? 2'h3 : {1'b0, condition & ~condition_2 & unequal};
+  wire [15:0] sum = CV + {{14{choice[1]}}, choice};
   wire [15:0] CV_next = R ? 16'd0 : sum;
 
   assign QU = $signed(CV_next) >= 16'sd4;

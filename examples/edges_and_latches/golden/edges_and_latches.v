@@ -19,12 +19,9 @@ module edges_and_latches (
   output wire inverted,
   output wire started
 );
-  reg a_before = 1'b0;
-  reg a_before_2 = 1'b0;
+  reg inverted_reg = 1'b0;
   reg power_before = 1'b0;
-  reg power_before_2 = 1'b0;
   reg coil_up_power_before = 1'b0;
-  reg coil_down_power_before = 1'b0;
   reg latched_reg = 1'b0;
   reg first_scan = 1'b1;
   reg started_reg = 1'b0;
@@ -34,21 +31,20 @@ module edges_and_latches (
   reg shot_down_reg = 1'b0;
   reg coil_up_reg = 1'b0;
   reg coil_down_reg = 1'b0;
-  reg inverted_reg = 1'b0;
 
   // rung 1 "edge contacts", edges_and_latches.ladder:11
-  wire on_rise_next = a & ~a_before;
-  wire on_fall_next = a_before_2 & ~a;
+  wire on_rise_next = a & ~inverted_reg;
+  wire on_fall_next = inverted_reg & ~a;
 
   // rung 2 "one-shots on the power of a and b", edges_and_latches.ladder:14
   wire power_before_next = a & b;
   wire shot_up_next = power_before_next & ~power_before;
-  wire shot_down_next = power_before_2 & ~power_before_next;
+  wire shot_down_next = power_before & ~power_before_next;
 
   // rung 3 "edge coils", edges_and_latches.ladder:17
   wire coil_up_power_before_next = a & b;
   wire coil_up_next = coil_up_power_before_next & ~coil_up_power_before;
-  wire coil_down_next = coil_down_power_before & ~coil_up_power_before_next;
+  wire coil_down_next = coil_up_power_before & ~coil_up_power_before_next;
 
   // rung 4 "latch: reset wins, because it stands below", edges_and_latches.ladder:20
   wire latched_rung4 = a | latched_reg;
@@ -74,12 +70,9 @@ module edges_and_latches (
 
   always @(posedge clk) begin
     if (rst) begin
-      a_before <= 1'b0;
-      a_before_2 <= 1'b0;
+      inverted_reg <= 1'b0;
       power_before <= 1'b0;
-      power_before_2 <= 1'b0;
       coil_up_power_before <= 1'b0;
-      coil_down_power_before <= 1'b0;
       latched_reg <= 1'b0;
       first_scan <= 1'b1;
       started_reg <= 1'b0;
@@ -89,14 +82,10 @@ module edges_and_latches (
       shot_down_reg <= 1'b0;
       coil_up_reg <= 1'b0;
       coil_down_reg <= 1'b0;
-      inverted_reg <= 1'b0;
     end else begin
-      a_before <= a;
-      a_before_2 <= a;
+      inverted_reg <= inverted_next;
       power_before <= power_before_next;
-      power_before_2 <= power_before_next;
       coil_up_power_before <= coil_up_power_before_next;
-      coil_down_power_before <= coil_up_power_before_next;
       latched_reg <= latched_next;
       first_scan <= 1'b0;
       started_reg <= started_next;
@@ -106,7 +95,6 @@ module edges_and_latches (
       shot_down_reg <= shot_down_next;
       coil_up_reg <= coil_up_next;
       coil_down_reg <= coil_down_next;
-      inverted_reg <= inverted_next;
     end
   end
 

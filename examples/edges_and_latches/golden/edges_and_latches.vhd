@@ -25,12 +25,9 @@ entity edges_and_latches is
 end entity edges_and_latches;
 
 architecture rtl of edges_and_latches is
-  signal a_before : std_logic := '0';
-  signal a_before_2 : std_logic := '0';
+  signal inverted_reg : std_logic := '0';
   signal power_before : std_logic := '0';
-  signal power_before_2 : std_logic := '0';
   signal coil_up_power_before : std_logic := '0';
-  signal coil_down_power_before : std_logic := '0';
   signal latched_reg : std_logic := '0';
   signal first_scan : std_logic := '1';
   signal started_reg : std_logic := '0';
@@ -40,7 +37,6 @@ architecture rtl of edges_and_latches is
   signal shot_down_reg : std_logic := '0';
   signal coil_up_reg : std_logic := '0';
   signal coil_down_reg : std_logic := '0';
-  signal inverted_reg : std_logic := '0';
   signal on_rise_next : std_logic;
   signal on_fall_next : std_logic;
   signal power_before_next : std_logic;
@@ -56,18 +52,18 @@ architecture rtl of edges_and_latches is
 begin
 
   -- rung 1 "edge contacts", edges_and_latches.ladder:11
-  on_rise_next <= a and not a_before;
-  on_fall_next <= a_before_2 and not a;
+  on_rise_next <= a and not inverted_reg;
+  on_fall_next <= inverted_reg and not a;
 
   -- rung 2 "one-shots on the power of a and b", edges_and_latches.ladder:14
   power_before_next <= a and b;
   shot_up_next <= power_before_next and not power_before;
-  shot_down_next <= power_before_2 and not power_before_next;
+  shot_down_next <= power_before and not power_before_next;
 
   -- rung 3 "edge coils", edges_and_latches.ladder:17
   coil_up_power_before_next <= a and b;
   coil_up_next <= coil_up_power_before_next and not coil_up_power_before;
-  coil_down_next <= coil_down_power_before and not coil_up_power_before_next;
+  coil_down_next <= coil_up_power_before and not coil_up_power_before_next;
 
   -- rung 4 "latch: reset wins, because it stands below", edges_and_latches.ladder:20
   latched_rung4 <= a or latched_reg;
@@ -95,12 +91,9 @@ begin
   begin
     if rising_edge(clk) then
       if rst = '1' then
-        a_before <= '0';
-        a_before_2 <= '0';
+        inverted_reg <= '0';
         power_before <= '0';
-        power_before_2 <= '0';
         coil_up_power_before <= '0';
-        coil_down_power_before <= '0';
         latched_reg <= '0';
         first_scan <= '1';
         started_reg <= '0';
@@ -110,14 +103,10 @@ begin
         shot_down_reg <= '0';
         coil_up_reg <= '0';
         coil_down_reg <= '0';
-        inverted_reg <= '0';
       else
-        a_before <= a;
-        a_before_2 <= a;
+        inverted_reg <= inverted_next;
         power_before <= power_before_next;
-        power_before_2 <= power_before_next;
         coil_up_power_before <= coil_up_power_before_next;
-        coil_down_power_before <= coil_up_power_before_next;
         latched_reg <= latched_next;
         first_scan <= '0';
         started_reg <= started_next;
@@ -127,7 +116,6 @@ begin
         shot_down_reg <= shot_down_next;
         coil_up_reg <= coil_up_next;
         coil_down_reg <= coil_down_next;
-        inverted_reg <= inverted_next;
       end if;
     end if;
   end process;

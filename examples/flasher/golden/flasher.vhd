@@ -21,19 +21,25 @@ end entity flasher_TON_PT200;
 
 architecture rtl of flasher_TON_PT200 is
   signal Q : std_logic := '0';
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(7 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal condition : std_logic;
+  signal condition_2 : std_logic;
+  signal sum : unsigned(7 downto 0);
+  signal choice : unsigned(7 downto 0);
+  signal ET_next : unsigned(7 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
   signal Q_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 200 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(ET_next) >= 200 else '0';
-  Q_next <= power and at_least;
+  condition <= power and was;
+  condition_2 <= tick and not Q;
+  sum <= ET + 1;
+  choice <= sum when condition_2 = '1' else ET;
+  ET_next <= choice when condition = '1' else to_unsigned(0, 8);
+  equal <= '1' when ET = 199 else '0';
+  choice_2 <= equal when condition_2 = '1' else Q;
+  Q_next <= choice_2 when condition = '1' else '0';
 
   Q_last <= Q;
 
@@ -73,19 +79,28 @@ entity flasher_TON_PT1300 is
 end entity flasher_TON_PT1300;
 
 architecture rtl of flasher_TON_PT1300 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(10 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal ET_is_1300 : std_logic := '0';
+  signal condition : std_logic;
+  signal condition_2 : std_logic;
+  signal sum : unsigned(10 downto 0);
+  signal choice : unsigned(10 downto 0);
+  signal ET_next : unsigned(10 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
+  signal ET_is_1300_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 1300 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(ET_next) >= 1300 else '0';
+  condition <= power and was;
+  condition_2 <= tick and not ET_is_1300;
+  sum <= ET + 1;
+  choice <= sum when condition_2 = '1' else ET;
+  ET_next <= choice when condition = '1' else to_unsigned(0, 11);
+  equal <= '1' when ET = 1299 else '0';
+  choice_2 <= equal when condition_2 = '1' else ET_is_1300;
+  ET_is_1300_next <= choice_2 when condition = '1' else '0';
 
-  Q <= power and at_least;
+  Q <= ET_is_1300_next;
 
   process (clk)
   begin
@@ -93,9 +108,11 @@ begin
       if rst = '1' then
         ET <= (others => '0');
         was <= '0';
+        ET_is_1300 <= '0';
       else
         ET <= ET_next;
         was <= power;
+        ET_is_1300 <= ET_is_1300_next;
       end if;
     end if;
   end process;

@@ -19,21 +19,24 @@ module flasher_test_TON_PT200 (
   output wire Q_last
 );
   reg Q = 1'b0;
-  reg [31:0] ET = 32'd0;
+  reg [7:0] ET = 8'd0;
   reg was = 1'b0;
 
-  wire less = $signed(ET) < 32'sd200;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] ET_next = (power & was) ? sum : 32'd0;
-  wire at_least = $signed(ET_next) >= 32'sd200;
-  wire Q_next = power & at_least;
+  wire condition = power & was;
+  wire condition_2 = tick & ~Q;
+  wire [7:0] sum = ET + 8'd1;
+  wire [7:0] choice = condition_2 ? sum : ET;
+  wire [7:0] ET_next = condition ? choice : 8'd0;
+  wire equal = ET == 8'hc7;
+  wire choice_2 = condition_2 ? equal : Q;
+  wire Q_next = condition ? choice_2 : 1'b0;
 
   assign Q_last = Q;
 
   always @(posedge clk) begin
     if (rst) begin
       Q <= 1'b0;
-      ET <= 32'd0;
+      ET <= 8'd0;
       was <= 1'b0;
     end else begin
       Q <= Q_next;
@@ -54,26 +57,30 @@ module flasher_test_TON_PT1300 (
   input  wire        tick,
   input  wire        power,
   output wire        Q,
-  output wire [31:0] ET_last
+  output wire [10:0] ET_last
 );
-  reg [31:0] ET = 32'd0;
+  reg [10:0] ET = 11'd0;
   reg was = 1'b0;
+  reg ET_is_1300 = 1'b0;
 
-  wire less = $signed(ET) < 32'sd1300;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] ET_next = (power & was) ? sum : 32'd0;
-  wire at_least = $signed(ET_next) >= 32'sd1300;
+  wire condition = power & was;
+  wire [10:0] sum = ET + {10'b0, tick & ~ET_is_1300};
+  wire [10:0] ET_next = condition ? sum : 11'd0;
+  wire equal = ET == 11'h513;
+  wire ET_is_1300_next = condition & (tick & equal | ET_is_1300);
 
-  assign Q = power & at_least;
+  assign Q = ET_is_1300_next;
   assign ET_last = ET;
 
   always @(posedge clk) begin
     if (rst) begin
-      ET <= 32'd0;
+      ET <= 11'd0;
       was <= 1'b0;
+      ET_is_1300 <= 1'b0;
     end else begin
       ET <= ET_next;
       was <= power;
+      ET_is_1300 <= ET_is_1300_next;
     end
   end
 endmodule
@@ -92,7 +99,7 @@ module flasher_test (
   wire off_time_Q_last;
   wire on_time_power = enable & ~off_time_Q_last;
   wire on_time_Q;
-  wire [31:0] on_time_ET_last;
+  wire [10:0] on_time_ET_last;
   flasher_test_TON_PT200 off_time (
     .clk(clk),
     .rst(rst),
@@ -113,9 +120,10 @@ module flasher_test (
 
   // rung 3 "lamp", flasher.ladder:13
   wire lamp_next = enable & ~on_time_Q;
+  wire [31:0] on_time_ET_value = {21'b0, on_time_ET_last};
 
   assign lamp = lamp_reg;
-  assign on_time_ET = on_time_ET_last;
+  assign on_time_ET = on_time_ET_value;
 
   always @(posedge clk) begin
     if (rst) begin

@@ -24,19 +24,25 @@ end entity flasher_test_TON_PT200;
 
 architecture rtl of flasher_test_TON_PT200 is
   signal Q : std_logic := '0';
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(7 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal condition : std_logic;
+  signal condition_2 : std_logic;
+  signal sum : unsigned(7 downto 0);
+  signal choice : unsigned(7 downto 0);
+  signal ET_next : unsigned(7 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
   signal Q_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 200 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(ET_next) >= 200 else '0';
-  Q_next <= power and at_least;
+  condition <= power and was;
+  condition_2 <= tick and not Q;
+  sum <= ET + 1;
+  choice <= sum when condition_2 = '1' else ET;
+  ET_next <= choice when condition = '1' else to_unsigned(0, 8);
+  equal <= '1' when ET = 199 else '0';
+  choice_2 <= equal when condition_2 = '1' else Q;
+  Q_next <= choice_2 when condition = '1' else '0';
 
   Q_last <= Q;
 
@@ -72,24 +78,27 @@ entity flasher_test_TON_PT1300 is
     tick    : in  std_logic;
     power   : in  std_logic;
     Q       : out std_logic;
-    ET_last : out unsigned(31 downto 0)
+    ET_last : out unsigned(10 downto 0)
   );
 end entity flasher_test_TON_PT1300;
 
 architecture rtl of flasher_test_TON_PT1300 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(10 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal ET_is_1300 : std_logic := '0';
+  signal condition : std_logic;
+  signal sum : unsigned(10 downto 0);
+  signal ET_next : unsigned(10 downto 0);
+  signal equal : std_logic;
+  signal ET_is_1300_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 1300 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(ET_next) >= 1300 else '0';
+  condition <= power and was;
+  sum <= ET + (to_unsigned(0, 10) & (tick and not ET_is_1300));
+  ET_next <= sum when condition = '1' else to_unsigned(0, 11);
+  equal <= '1' when ET = 1299 else '0';
+  ET_is_1300_next <= condition and ((tick and equal) or ET_is_1300);
 
-  Q <= power and at_least;
+  Q <= ET_is_1300_next;
   ET_last <= ET;
 
   process (clk)
@@ -98,9 +107,11 @@ begin
       if rst = '1' then
         ET <= (others => '0');
         was <= '0';
+        ET_is_1300 <= '0';
       else
         ET <= ET_next;
         was <= power;
+        ET_is_1300 <= ET_is_1300_next;
       end if;
     end if;
   end process;
@@ -126,8 +137,9 @@ architecture rtl of flasher_test is
   signal off_time_Q_last : std_logic;
   signal on_time_power : std_logic;
   signal on_time_Q : std_logic;
-  signal on_time_ET_last : unsigned(31 downto 0);
+  signal on_time_ET_last : unsigned(10 downto 0);
   signal lamp_next : std_logic;
+  signal on_time_ET_value : unsigned(31 downto 0);
 begin
 
   -- rung 1 "the lamp is on until this timer has run", flasher.ladder:7
@@ -154,9 +166,10 @@ begin
 
   -- rung 3 "lamp", flasher.ladder:13
   lamp_next <= enable and not on_time_Q;
+  on_time_ET_value <= resize(on_time_ET_last, 32);
 
   lamp <= lamp_reg;
-  on_time_ET <= std_logic_vector(on_time_ET_last);
+  on_time_ET <= std_logic_vector(on_time_ET_value);
 
   process (clk)
   begin

@@ -17,23 +17,30 @@ module start_stop_TON_PT5000 (
   input  wire power,
   output wire Q
 );
-  reg [31:0] ET = 32'd0;
+  reg [12:0] ET = 13'd0;
   reg was = 1'b0;
+  reg ET_is_5000 = 1'b0;
 
-  wire less = $signed(ET) < 32'sd5000;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] ET_next = (power & was) ? sum : 32'd0;
-  wire at_least = $signed(ET_next) >= 32'sd5000;
+  wire condition = power & was;
+  wire condition_2 = tick & ~ET_is_5000;
+  wire [12:0] sum = ET + 13'd1;
+  wire [12:0] choice = condition_2 ? sum : ET;
+  wire [12:0] ET_next = condition ? choice : 13'd0;
+  wire equal = ET == 13'h1387;
+  wire choice_2 = condition_2 ? equal : ET_is_5000;
+  wire ET_is_5000_next = condition ? choice_2 : 1'b0;
 
-  assign Q = power & at_least;
+  assign Q = ET_is_5000_next;
 
   always @(posedge clk) begin
     if (rst) begin
-      ET <= 32'd0;
+      ET <= 13'd0;
       was <= 1'b0;
+      ET_is_5000 <= 1'b0;
     end else begin
       ET <= ET_next;
       was <= power;
+      ET_is_5000 <= ET_is_5000_next;
     end
   end
 endmodule

@@ -17,26 +17,30 @@ module start_stop_test_TON_PT5000 (
   input  wire        tick,
   input  wire        power,
   output wire        Q,
-  output wire [31:0] ET_last
+  output wire [12:0] ET_last
 );
-  reg [31:0] ET = 32'd0;
+  reg [12:0] ET = 13'd0;
   reg was = 1'b0;
+  reg ET_is_5000 = 1'b0;
 
-  wire less = $signed(ET) < 32'sd5000;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] ET_next = (power & was) ? sum : 32'd0;
-  wire at_least = $signed(ET_next) >= 32'sd5000;
+  wire condition = power & was;
+  wire [12:0] sum = ET + {12'b0, tick & ~ET_is_5000};
+  wire [12:0] ET_next = condition ? sum : 13'd0;
+  wire equal = ET == 13'h1387;
+  wire ET_is_5000_next = condition & (tick & equal | ET_is_5000);
 
-  assign Q = power & at_least;
+  assign Q = ET_is_5000_next;
   assign ET_last = ET;
 
   always @(posedge clk) begin
     if (rst) begin
-      ET <= 32'd0;
+      ET <= 13'd0;
       was <= 1'b0;
+      ET_is_5000 <= 1'b0;
     end else begin
       ET <= ET_next;
       was <= power;
+      ET_is_5000 <= ET_is_5000_next;
     end
   end
 endmodule
@@ -59,7 +63,7 @@ module start_stop_test (
 
   // rung 2 "lamp after five seconds", start_stop.ladder:10
   wire delay_Q;
-  wire [31:0] delay_ET_last;
+  wire [12:0] delay_ET_last;
   start_stop_test_TON_PT5000 delay (
     .clk(clk),
     .rst(rst),
@@ -68,11 +72,12 @@ module start_stop_test (
     .Q(delay_Q),
     .ET_last(delay_ET_last)
   );
+  wire [31:0] delay_ET_value = {19'b0, delay_ET_last};
   wire lamp_next = delay_Q;
 
   assign motor = motor_reg;
   assign lamp = lamp_reg;
-  assign delay_ET = delay_ET_last;
+  assign delay_ET = delay_ET_value;
 
   always @(posedge clk) begin
     if (rst) begin

@@ -19,24 +19,27 @@ entity start_stop_test_TON_PT5000 is
     tick    : in  std_logic;
     power   : in  std_logic;
     Q       : out std_logic;
-    ET_last : out unsigned(31 downto 0)
+    ET_last : out unsigned(12 downto 0)
   );
 end entity start_stop_test_TON_PT5000;
 
 architecture rtl of start_stop_test_TON_PT5000 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(12 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal ET_is_5000 : std_logic := '0';
+  signal condition : std_logic;
+  signal sum : unsigned(12 downto 0);
+  signal ET_next : unsigned(12 downto 0);
+  signal equal : std_logic;
+  signal ET_is_5000_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 5000 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(ET_next) >= 5000 else '0';
+  condition <= power and was;
+  sum <= ET + (to_unsigned(0, 12) & (tick and not ET_is_5000));
+  ET_next <= sum when condition = '1' else to_unsigned(0, 13);
+  equal <= '1' when ET = 4999 else '0';
+  ET_is_5000_next <= condition and ((tick and equal) or ET_is_5000);
 
-  Q <= power and at_least;
+  Q <= ET_is_5000_next;
   ET_last <= ET;
 
   process (clk)
@@ -45,9 +48,11 @@ begin
       if rst = '1' then
         ET <= (others => '0');
         was <= '0';
+        ET_is_5000 <= '0';
       else
         ET <= ET_next;
         was <= power;
+        ET_is_5000 <= ET_is_5000_next;
       end if;
     end if;
   end process;
@@ -75,7 +80,8 @@ architecture rtl of start_stop_test is
   signal lamp_reg : std_logic := '0';
   signal motor_next : std_logic;
   signal delay_Q : std_logic;
-  signal delay_ET_last : unsigned(31 downto 0);
+  signal delay_ET_last : unsigned(12 downto 0);
+  signal delay_ET_value : unsigned(31 downto 0);
   signal lamp_next : std_logic;
 begin
 
@@ -92,11 +98,12 @@ begin
       Q => delay_Q,
       ET_last => delay_ET_last
     );
+  delay_ET_value <= resize(delay_ET_last, 32);
   lamp_next <= delay_Q;
 
   motor <= motor_reg;
   lamp <= lamp_reg;
-  delay_ET <= std_logic_vector(delay_ET_last);
+  delay_ET <= std_logic_vector(delay_ET_value);
 
   process (clk)
   begin

@@ -18,23 +18,30 @@ module step_sequence_test_TON_PT20 (
   input  wire power,
   output wire Q
 );
-  reg [31:0] ET = 32'd0;
+  reg [4:0] ET = 5'd0;
   reg was = 1'b0;
+  reg ET_is_20 = 1'b0;
 
-  wire less = $signed(ET) < 32'sd20;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] ET_next = (power & was) ? sum : 32'd0;
-  wire at_least = $signed(ET_next) >= 32'sd20;
+  wire condition = power & was;
+  wire condition_2 = tick & ~ET_is_20;
+  wire [4:0] sum = ET + 5'd1;
+  wire [4:0] choice = condition_2 ? sum : ET;
+  wire [4:0] ET_next = condition ? choice : 5'd0;
+  wire equal = ET == 5'h13;
+  wire choice_2 = condition_2 ? equal : ET_is_20;
+  wire ET_is_20_next = condition ? choice_2 : 1'b0;
 
-  assign Q = power & at_least;
+  assign Q = ET_is_20_next;
 
   always @(posedge clk) begin
     if (rst) begin
-      ET <= 32'd0;
+      ET <= 5'd0;
       was <= 1'b0;
+      ET_is_20 <= 1'b0;
     end else begin
       ET <= ET_next;
       was <= power;
+      ET_is_20 <= ET_is_20_next;
     end
   end
 endmodule
@@ -54,7 +61,7 @@ module step_sequence_test (
   output wire        busy,
   output wire [15:0] step
 );
-  reg [15:0] step_reg = 16'd0;
+  reg [2:0] step_reg = 3'd0;
   reg start_before = 1'b0;
   reg clamp_reg = 1'b0;
   reg drill_reg = 1'b0;
@@ -62,11 +69,12 @@ module step_sequence_test (
   reg busy_reg = 1'b0;
 
   // rung 1 "part is free", step_sequence.ladder:16
-  wire rung1_equal = step_reg == 16'd4;
-  wire [15:0] step_rung1 = (rung1_equal & free) ? 16'd0 : step_reg;
+  wire [15:0] step_value = {13'b0, step_reg};
+  wire rung1_equal = step_reg == 3'h4;
+  wire [2:0] step_rung1 = (rung1_equal & free) ? 3'd0 : step_reg;
 
   // rung 2 "drill is up", step_sequence.ladder:18
-  wire up_time_power = step_rung1 == 16'd3;
+  wire up_time_power = step_rung1 == 3'd3;
   wire up_time_Q;
   step_sequence_test_TON_PT20 up_time (
     .clk(clk),
@@ -75,40 +83,40 @@ module step_sequence_test (
     .power(up_time_power),
     .Q(up_time_Q)
   );
-  wire [15:0] step_rung2 = up_time_Q ? 16'd4 : step_rung1;
+  wire [2:0] step_rung2 = up_time_Q ? 3'h4 : step_rung1;
 
   // rung 3 "hole is deep enough", step_sequence.ladder:20
-  wire rung3_equal = step_rung2 == 16'd2;
-  wire [15:0] step_rung3 = (rung3_equal & deep) ? 16'd3 : step_rung2;
+  wire rung3_equal = step_rung2 == 3'd2;
+  wire [2:0] step_rung3 = (rung3_equal & deep) ? 3'd3 : step_rung2;
 
   // rung 4 "part is held", step_sequence.ladder:22
-  wire rung4_equal = step_rung3 == 16'd1;
-  wire [15:0] step_rung4 = (rung4_equal & clamped) ? 16'd2 : step_rung3;
+  wire rung4_equal = step_rung3 == 3'd1;
+  wire [2:0] step_rung4 = (rung4_equal & clamped) ? 3'd2 : step_rung3;
 
   // rung 5 "a new part", step_sequence.ladder:24
-  wire rung5_equal = step_rung4 == 16'd0;
-  wire [15:0] step_rung5 = (rung5_equal & start & ~start_before) ? 16'd1 : step_rung4;
+  wire rung5_equal = step_rung4 == 3'd0;
+  wire [2:0] step_rung5 = (rung5_equal & start & ~start_before) ? 3'd1 : step_rung4;
 
   // rung 6 "emergency: back to the start", step_sequence.ladder:27
-  wire [15:0] step_next = emergency ? 16'd0 : step_rung5;
+  wire [2:0] step_next = emergency ? 3'd0 : step_rung5;
 
   // rung 7 "outputs of the steps", step_sequence.ladder:30
-  wire rung7_at_least = $signed(step_next) >= 16'sd1;
-  wire rung7_less = $signed(step_next) < 16'sd4;
-  wire clamp_next = rung7_at_least & rung7_less;
-  wire drill_next = step_next == 16'd2;
-  wire lift_next = step_next == 16'd3;
-  wire busy_next = step_next != 16'd0;
+  wire rung7_unequal = step_next != 3'd0;
+  wire rung7_unequal_2 = step_next != 3'h4;
+  wire clamp_next = rung7_unequal & rung7_unequal_2;
+  wire drill_next = step_next == 3'd2;
+  wire lift_next = step_next == 3'd3;
+  wire busy_next = step_next != 3'd0;
 
   assign clamp = clamp_reg;
   assign drill = drill_reg;
   assign lift = lift_reg;
   assign busy = busy_reg;
-  assign step = step_reg;
+  assign step = step_value;
 
   always @(posedge clk) begin
     if (rst) begin
-      step_reg <= 16'd0;
+      step_reg <= 3'd0;
       start_before <= 1'b0;
       clamp_reg <= 1'b0;
       drill_reg <= 1'b0;

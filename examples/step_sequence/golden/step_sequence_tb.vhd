@@ -23,19 +23,28 @@ entity step_sequence_test_TON_PT20 is
 end entity step_sequence_test_TON_PT20;
 
 architecture rtl of step_sequence_test_TON_PT20 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(4 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal ET_is_20 : std_logic := '0';
+  signal condition : std_logic;
+  signal condition_2 : std_logic;
+  signal sum : unsigned(4 downto 0);
+  signal choice : unsigned(4 downto 0);
+  signal ET_next : unsigned(4 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
+  signal ET_is_20_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 20 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(ET_next) >= 20 else '0';
+  condition <= power and was;
+  condition_2 <= tick and not ET_is_20;
+  sum <= ET + 1;
+  choice <= sum when condition_2 = '1' else ET;
+  ET_next <= choice when condition = '1' else to_unsigned(0, 5);
+  equal <= '1' when ET = 19 else '0';
+  choice_2 <= equal when condition_2 = '1' else ET_is_20;
+  ET_is_20_next <= choice_2 when condition = '1' else '0';
 
-  Q <= power and at_least;
+  Q <= ET_is_20_next;
 
   process (clk)
   begin
@@ -43,9 +52,11 @@ begin
       if rst = '1' then
         ET <= (others => '0');
         was <= '0';
+        ET_is_20 <= '0';
       else
         ET <= ET_next;
         was <= power;
+        ET_is_20 <= ET_is_20_next;
       end if;
     end if;
   end process;
@@ -74,26 +85,27 @@ entity step_sequence_test is
 end entity step_sequence_test;
 
 architecture rtl of step_sequence_test is
-  signal step_reg : unsigned(15 downto 0) := (others => '0');
+  signal step_reg : unsigned(2 downto 0) := (others => '0');
   signal start_before : std_logic := '0';
   signal clamp_reg : std_logic := '0';
   signal drill_reg : std_logic := '0';
   signal lift_reg : std_logic := '0';
   signal busy_reg : std_logic := '0';
+  signal step_value : unsigned(15 downto 0);
   signal rung1_equal : std_logic;
-  signal step_rung1 : unsigned(15 downto 0);
+  signal step_rung1 : unsigned(2 downto 0);
   signal up_time_power : std_logic;
   signal up_time_Q : std_logic;
-  signal step_rung2 : unsigned(15 downto 0);
+  signal step_rung2 : unsigned(2 downto 0);
   signal rung3_equal : std_logic;
-  signal step_rung3 : unsigned(15 downto 0);
+  signal step_rung3 : unsigned(2 downto 0);
   signal rung4_equal : std_logic;
-  signal step_rung4 : unsigned(15 downto 0);
+  signal step_rung4 : unsigned(2 downto 0);
   signal rung5_equal : std_logic;
-  signal step_rung5 : unsigned(15 downto 0);
-  signal step_next : unsigned(15 downto 0);
-  signal rung7_at_least : std_logic;
-  signal rung7_less : std_logic;
+  signal step_rung5 : unsigned(2 downto 0);
+  signal step_next : unsigned(2 downto 0);
+  signal rung7_unequal : std_logic;
+  signal rung7_unequal_2 : std_logic;
   signal clamp_next : std_logic;
   signal drill_next : std_logic;
   signal lift_next : std_logic;
@@ -101,8 +113,9 @@ architecture rtl of step_sequence_test is
 begin
 
   -- rung 1 "part is free", step_sequence.ladder:16
+  step_value <= resize(step_reg, 16);
   rung1_equal <= '1' when step_reg = 4 else '0';
-  step_rung1 <= to_unsigned(0, 16) when (rung1_equal and free) = '1' else step_reg;
+  step_rung1 <= to_unsigned(0, 3) when (rung1_equal and free) = '1' else step_reg;
 
   -- rung 2 "drill is up", step_sequence.ladder:18
   up_time_power <= '1' when step_rung1 = 3 else '0';
@@ -114,28 +127,28 @@ begin
       power => up_time_power,
       Q => up_time_Q
     );
-  step_rung2 <= to_unsigned(4, 16) when up_time_Q = '1' else step_rung1;
+  step_rung2 <= "100" when up_time_Q = '1' else step_rung1;
 
   -- rung 3 "hole is deep enough", step_sequence.ladder:20
   rung3_equal <= '1' when step_rung2 = 2 else '0';
-  step_rung3 <= to_unsigned(3, 16) when (rung3_equal and deep) = '1' else step_rung2;
+  step_rung3 <= to_unsigned(3, 3) when (rung3_equal and deep) = '1' else step_rung2;
 
   -- rung 4 "part is held", step_sequence.ladder:22
   rung4_equal <= '1' when step_rung3 = 1 else '0';
-  step_rung4 <= to_unsigned(2, 16) when (rung4_equal and clamped) = '1' else step_rung3;
+  step_rung4 <= to_unsigned(2, 3) when (rung4_equal and clamped) = '1' else step_rung3;
 
   -- rung 5 "a new part", step_sequence.ladder:24
   rung5_equal <= '1' when step_rung4 = 0 else '0';
   step_rung5 <=
-      to_unsigned(1, 16) when (rung5_equal and start and not start_before) = '1' else step_rung4;
+      to_unsigned(1, 3) when (rung5_equal and start and not start_before) = '1' else step_rung4;
 
   -- rung 6 "emergency: back to the start", step_sequence.ladder:27
-  step_next <= to_unsigned(0, 16) when emergency = '1' else step_rung5;
+  step_next <= to_unsigned(0, 3) when emergency = '1' else step_rung5;
 
   -- rung 7 "outputs of the steps", step_sequence.ladder:30
-  rung7_at_least <= '1' when signed(step_next) >= 1 else '0';
-  rung7_less <= '1' when signed(step_next) < 4 else '0';
-  clamp_next <= rung7_at_least and rung7_less;
+  rung7_unequal <= '1' when step_next /= 0 else '0';
+  rung7_unequal_2 <= '1' when step_next /= 4 else '0';
+  clamp_next <= rung7_unequal and rung7_unequal_2;
   drill_next <= '1' when step_next = 2 else '0';
   lift_next <= '1' when step_next = 3 else '0';
   busy_next <= '1' when step_next /= 0 else '0';
@@ -144,7 +157,7 @@ begin
   drill <= drill_reg;
   lift <= lift_reg;
   busy <= busy_reg;
-  step <= std_logic_vector(step_reg);
+  step <= std_logic_vector(step_value);
 
   process (clk)
   begin

@@ -26,17 +26,14 @@ module tool_magazine (
   reg Y14 = 1'b0;
   reg M3 = 1'b0;
   reg M15 = 1'b0;
-  reg Y0_before = 1'b0;
+  reg Y0_reg = 1'b0;
   reg Y2_reg = 1'b0;
   reg Y3_reg = 1'b0;
-  reg Y2_before = 1'b0;
   reg Y4_reg = 1'b0;
   reg M51 = 1'b0;
-  reg power_before = 1'b0;
   reg X16_before = 1'b0;
   reg Y1_reg = 1'b0;
   reg turn_reg = 1'b0;
-  reg Y0_reg = 1'b0;
 
   // rung 1 "decode the command", tool_magazine.ladder:26
   wire T2 = ~X4 & ~X3 & X2 & ~X1;
@@ -60,10 +57,10 @@ module tool_magazine (
   wire Y0_next = M2_rung2_2 & at2 | M3_rung2_2 & at3;
 
   // rung 5 "move the tool forward (paper, rung 4)", tool_magazine.ladder:36
-  wire Y2_next = (Y14_next & Y0_next & ~Y0_before | Y2_reg) & ~X15 & ~Y3_reg;
+  wire Y2_next = (Y14_next & Y0_next & ~Y0_reg | Y2_reg) & ~X15 & ~Y3_reg;
 
   // rung 6 "air pump (paper, rung 5)", tool_magazine.ladder:39
-  wire Y4_next = (Y2_next & ~Y2_before | Y4_reg | M51) & ~M15_rung2;
+  wire Y4_next = (Y2_next & ~Y2_reg | Y4_reg | M51) & ~M15_rung2;
 
   // rung 7 "close the pump", tool_magazine.ladder:42
 
@@ -71,7 +68,7 @@ module tool_magazine (
   wire M15_next = T11 | M15_rung2;
 
   // rung 9 "bring the tool back", tool_magazine.ladder:46
-  wire rung9_power = M51_next & ~power_before;
+  wire rung9_power = M51_next & ~M51;
   wire Y3_rung9 = rung9_power | Y3_reg;
   wire M2_next = M2_rung2_2 & ~rung9_power;
   wire M3_next = M3_rung2_2 & ~rung9_power;
@@ -95,33 +92,27 @@ module tool_magazine (
       Y14 <= 1'b0;
       M3 <= 1'b0;
       M15 <= 1'b0;
-      Y0_before <= 1'b0;
+      Y0_reg <= 1'b0;
       Y2_reg <= 1'b0;
       Y3_reg <= 1'b0;
-      Y2_before <= 1'b0;
       Y4_reg <= 1'b0;
       M51 <= 1'b0;
-      power_before <= 1'b0;
       X16_before <= 1'b0;
       Y1_reg <= 1'b0;
       turn_reg <= 1'b0;
-      Y0_reg <= 1'b0;
     end else begin
       M2 <= M2_next;
       Y14 <= Y14_next;
       M3 <= M3_next;
       M15 <= M15_next;
-      Y0_before <= Y0_next;
+      Y0_reg <= Y0_next;
       Y2_reg <= Y2_next;
       Y3_reg <= Y3_next;
-      Y2_before <= Y2_next;
       Y4_reg <= Y4_next;
       M51 <= M51_next;
-      power_before <= M51_next;
       X16_before <= X16;
       Y1_reg <= Y1_next;
       turn_reg <= turn_next;
-      Y0_reg <= Y0_next;
     end
   end
 

@@ -32,17 +32,14 @@ module tool_magazine_test (
   reg Y14 = 1'b0;
   reg M3_reg = 1'b0;
   reg M15_reg = 1'b0;
-  reg Y0_before = 1'b0;
+  reg Y0_reg = 1'b0;
   reg Y2_reg = 1'b0;
   reg Y3_reg = 1'b0;
-  reg Y2_before = 1'b0;
   reg Y4_reg = 1'b0;
   reg M51_reg = 1'b0;
-  reg power_before = 1'b0;
   reg X16_before = 1'b0;
   reg Y1_reg = 1'b0;
   reg turn_reg = 1'b0;
-  reg Y0_reg = 1'b0;
   reg M50_reg = 1'b0;
 
   // rung 1 "decode the command", tool_magazine.ladder:26
@@ -67,10 +64,10 @@ module tool_magazine_test (
   wire Y0_next = M2_rung2_2 & at2 | M3_rung2_2 & at3;
 
   // rung 5 "move the tool forward (paper, rung 4)", tool_magazine.ladder:36
-  wire Y2_next = (Y14_next & Y0_next & ~Y0_before | Y2_reg) & ~X15 & ~Y3_reg;
+  wire Y2_next = (Y14_next & Y0_next & ~Y0_reg | Y2_reg) & ~X15 & ~Y3_reg;
 
   // rung 6 "air pump (paper, rung 5)", tool_magazine.ladder:39
-  wire Y4_next = (Y2_next & ~Y2_before | Y4_reg | M51_reg) & ~M15_rung2;
+  wire Y4_next = (Y2_next & ~Y2_reg | Y4_reg | M51_reg) & ~M15_rung2;
 
   // rung 7 "close the pump", tool_magazine.ladder:42
 
@@ -78,7 +75,7 @@ module tool_magazine_test (
   wire M15_next = M50_next | M15_rung2;
 
   // rung 9 "bring the tool back", tool_magazine.ladder:46
-  wire rung9_power = M51_next & ~power_before;
+  wire rung9_power = M51_next & ~M51_reg;
   wire Y3_rung9 = rung9_power | Y3_reg;
   wire M2_next = M2_rung2_2 & ~rung9_power;
   wire M3_next = M3_rung2_2 & ~rung9_power;
@@ -107,34 +104,28 @@ module tool_magazine_test (
       Y14 <= 1'b0;
       M3_reg <= 1'b0;
       M15_reg <= 1'b0;
-      Y0_before <= 1'b0;
+      Y0_reg <= 1'b0;
       Y2_reg <= 1'b0;
       Y3_reg <= 1'b0;
-      Y2_before <= 1'b0;
       Y4_reg <= 1'b0;
       M51_reg <= 1'b0;
-      power_before <= 1'b0;
       X16_before <= 1'b0;
       Y1_reg <= 1'b0;
       turn_reg <= 1'b0;
-      Y0_reg <= 1'b0;
       M50_reg <= 1'b0;
     end else begin
       M2_reg <= M2_next;
       Y14 <= Y14_next;
       M3_reg <= M3_next;
       M15_reg <= M15_next;
-      Y0_before <= Y0_next;
+      Y0_reg <= Y0_next;
       Y2_reg <= Y2_next;
       Y3_reg <= Y3_next;
-      Y2_before <= Y2_next;
       Y4_reg <= Y4_next;
       M51_reg <= M51_next;
-      power_before <= M51_next;
       X16_before <= X16;
       Y1_reg <= Y1_next;
       turn_reg <= turn_next;
-      Y0_reg <= Y0_next;
       M50_reg <= M50_next;
     end
   end

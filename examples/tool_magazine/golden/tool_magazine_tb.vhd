@@ -40,17 +40,14 @@ architecture rtl of tool_magazine_test is
   signal Y14 : std_logic := '0';
   signal M3_reg : std_logic := '0';
   signal M15_reg : std_logic := '0';
-  signal Y0_before : std_logic := '0';
+  signal Y0_reg : std_logic := '0';
   signal Y2_reg : std_logic := '0';
   signal Y3_reg : std_logic := '0';
-  signal Y2_before : std_logic := '0';
   signal Y4_reg : std_logic := '0';
   signal M51_reg : std_logic := '0';
-  signal power_before : std_logic := '0';
   signal X16_before : std_logic := '0';
   signal Y1_reg : std_logic := '0';
   signal turn_reg : std_logic := '0';
-  signal Y0_reg : std_logic := '0';
   signal M50_reg : std_logic := '0';
   signal T2 : std_logic;
   signal T3 : std_logic;
@@ -98,10 +95,10 @@ begin
   Y0_next <= (M2_rung2_2 and at2) or (M3_rung2_2 and at3);
 
   -- rung 5 "move the tool forward (paper, rung 4)", tool_magazine.ladder:36
-  Y2_next <= ((Y14_next and Y0_next and not Y0_before) or Y2_reg) and not X15 and not Y3_reg;
+  Y2_next <= ((Y14_next and Y0_next and not Y0_reg) or Y2_reg) and not X15 and not Y3_reg;
 
   -- rung 6 "air pump (paper, rung 5)", tool_magazine.ladder:39
-  Y4_next <= ((Y2_next and not Y2_before) or Y4_reg or M51_reg) and not M15_rung2;
+  Y4_next <= ((Y2_next and not Y2_reg) or Y4_reg or M51_reg) and not M15_rung2;
 
   -- rung 7 "close the pump", tool_magazine.ladder:42
 
@@ -109,7 +106,7 @@ begin
   M15_next <= M50_next or M15_rung2;
 
   -- rung 9 "bring the tool back", tool_magazine.ladder:46
-  rung9_power <= M51_next and not power_before;
+  rung9_power <= M51_next and not M51_reg;
   Y3_rung9 <= rung9_power or Y3_reg;
   M2_next <= M2_rung2_2 and not rung9_power;
   M3_next <= M3_rung2_2 and not rung9_power;
@@ -140,34 +137,28 @@ begin
         Y14 <= '0';
         M3_reg <= '0';
         M15_reg <= '0';
-        Y0_before <= '0';
+        Y0_reg <= '0';
         Y2_reg <= '0';
         Y3_reg <= '0';
-        Y2_before <= '0';
         Y4_reg <= '0';
         M51_reg <= '0';
-        power_before <= '0';
         X16_before <= '0';
         Y1_reg <= '0';
         turn_reg <= '0';
-        Y0_reg <= '0';
         M50_reg <= '0';
       else
         M2_reg <= M2_next;
         Y14 <= Y14_next;
         M3_reg <= M3_next;
         M15_reg <= M15_next;
-        Y0_before <= Y0_next;
+        Y0_reg <= Y0_next;
         Y2_reg <= Y2_next;
         Y3_reg <= Y3_next;
-        Y2_before <= Y2_next;
         Y4_reg <= Y4_next;
         M51_reg <= M51_next;
-        power_before <= M51_next;
         X16_before <= X16;
         Y1_reg <= Y1_next;
         turn_reg <= turn_next;
-        Y0_reg <= Y0_next;
         M50_reg <= M50_next;
       end if;
     end if;

@@ -8,6 +8,7 @@ pub(super) mod names;
 mod naming;
 mod order;
 mod plan;
+mod ports;
 mod prescaler;
 pub mod testbench;
 mod unread;
@@ -21,7 +22,7 @@ use std::fmt;
 use crate::circuit::{Design, Valid};
 
 pub use comment::Harmless;
-pub use module::PortNames;
+pub use module::{PortName, PortNames};
 pub use prescaler::Prescaler;
 pub use wrapper::Board;
 

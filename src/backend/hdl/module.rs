@@ -3,9 +3,10 @@
 use std::collections::HashSet;
 
 use super::names::{NameId, Namer, is_cpp_word};
-use super::naming::{Naming, name_ports};
+use super::naming::Naming;
 use super::order::Item;
 use super::plan::{Form, Origin, Plan, is_leaf, origin};
+use super::ports::{self, Port};
 use super::{ResetStyle, order};
 use crate::circuit::{Circuit, Design, Instance, InstanceId, Net, Register, RegisterId, Section};
 use crate::index::index;
@@ -31,6 +32,17 @@ pub struct Module<'a> {
     pub(super) naming: Naming,
 }
 
+/// A port of a printed program.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PortName {
+    /// Its name.
+    pub name: String,
+    /// Its width in bits, that of all its elements together.
+    pub width: u32,
+    /// The number of elements, if it is an array.
+    pub elements: Option<u32>,
+}
+
 /// The names of a printed program's ports, in the order of the circuit's own.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PortNames {
@@ -45,9 +57,9 @@ pub struct PortNames {
     /// The reset.
     pub reset: &'static str,
     /// The inputs.
-    pub inputs: Vec<String>,
+    pub inputs: Vec<PortName>,
     /// The outputs.
-    pub outputs: Vec<String>,
+    pub outputs: Vec<PortName>,
 }
 
 impl PortNames {
@@ -55,17 +67,24 @@ impl PortNames {
     pub fn new(design: &Design, reset: ResetStyle) -> PortNames {
         let ModuleNames { modules, companions: [wrapper, bench], all } = module_names(design);
         let mut namer = Namer::new(&all);
-        let (inputs, outputs) = name_ports(design.top(), &mut namer);
+        let (inputs, outputs) = ports::name(design.top(), &mut namer);
         let names = namer.finish();
-        let texts = |ids: Vec<NameId>| ids.into_iter().map(|id| names.get(id).to_owned()).collect();
+        let named = |ports: Vec<Port>| {
+            let port = |port: Port| PortName {
+                name: names.get(port.name).to_owned(),
+                width: port.width,
+                elements: port.is_array.then_some(port.parts.len() as u32),
+            };
+            ports.into_iter().map(port).collect()
+        };
         PortNames {
             module: modules.last().cloned().unwrap_or_default(),
             wrapper,
             bench,
             clock: super::names::CLOCK,
             reset: reset.port(),
-            inputs: texts(inputs),
-            outputs: texts(outputs),
+            inputs: named(inputs),
+            outputs: named(outputs),
         }
     }
 }
@@ -142,7 +161,12 @@ impl<'a> Module<'a> {
     /// True for a port of the program itself that is a vector: VHDL gives it another type.
     pub fn is_vector_port(&self, net: Net) -> bool {
         let cell = self.circuit.cell(net);
-        self.is_top && cell.width > 1 && matches!(origin(cell.op), Origin::Input(_))
+        let Origin::Input(input) = origin(cell.op) else { return false };
+        let is_element = || {
+            let mut arrays = self.naming.input_ports.iter().filter(|port| port.is_array);
+            arrays.any(|port| port.parts.contains(&input))
+        };
+        self.is_top && cell.width > 1 && !is_element()
     }
 
     /// True for a net that is printed at one place only, where it goes out of the module.
@@ -155,16 +179,19 @@ impl<'a> Module<'a> {
         self.has_clock.then(|| [self.naming.clock, self.naming.reset].map(|id| self.text(id)))
     }
 
-    /// Name and width of each input port.
-    pub fn inputs(&self) -> impl Iterator<Item = (&str, u32)> {
-        let names = self.naming.inputs.iter().map(|&id| self.text(id));
-        names.zip(self.circuit.inputs.iter().map(|input| input.width))
+    /// Each printed input port and its name.
+    pub fn inputs(&self) -> impl Iterator<Item = (&str, &Port)> {
+        self.naming.input_ports.iter().map(|port| (self.text(port.name), port))
     }
 
-    /// Name of each output port and the net that it shows.
-    pub fn outputs(&self) -> impl Iterator<Item = (&str, Net)> {
-        let names = self.naming.outputs.iter().map(|&id| self.text(id));
-        names.zip(self.circuit.outputs.iter().map(|output| output.net))
+    /// Each printed output port and its name.
+    pub fn outputs(&self) -> impl Iterator<Item = (&str, &Port)> {
+        self.naming.output_ports.iter().map(|port| (self.text(port.name), port))
+    }
+
+    /// The name inside of the circuit's input port of that index.
+    pub fn input(&self, index: usize) -> &str {
+        self.text(self.naming.inputs[index])
     }
 
     /// Each register and its name.

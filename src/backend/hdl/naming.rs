@@ -6,8 +6,9 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::names::{NameId, Namer, Names, TICK};
+use super::names::{NameId, Namer, Names};
 use super::plan::{Form, Origin, Plan, Relation, origin};
+use super::ports::{self, Port};
 use super::{ResetStyle, names};
 use crate::circuit::{Circuit, Design, InstanceId, Net, RegisterId, Signal, Version};
 use crate::index::index;
@@ -20,10 +21,13 @@ pub struct Naming {
     pub clock: NameId,
     /// The reset port.
     pub reset: NameId,
-    /// Input ports.
+    /// Printed input ports.
+    pub input_ports: Vec<Port>,
+    /// Printed output ports.
+    pub output_ports: Vec<Port>,
+    /// What each input port of the circuit is called inside: as the printed port, or, for an
+    /// element of an array, as a wire of its own.
     pub inputs: Vec<NameId>,
-    /// Output ports.
-    pub outputs: Vec<NameId>,
     /// Registers.
     pub registers: Vec<NameId>,
     /// Instances.
@@ -61,14 +65,23 @@ impl Naming {
         let mut namer = Namer::new(outer);
         let clock = namer.fix(names::CLOCK);
         let reset = namer.fix(reset.port());
-        let (inputs, outputs) = name_ports(circuit, &mut namer);
+        let (input_ports, output_ports) = ports::name(circuit, &mut namer);
+        let mut inputs = Vec::with_capacity(circuit.inputs.len());
+        for port in &input_ports {
+            inputs.extend(
+                circuit.inputs[port.parts.clone()].iter().map(|input| {
+                    if port.is_array { namer.take(&input.name, "") } else { port.name }
+                }),
+            );
+        }
         let mut naming = Naming {
             names: Names::default(),
             clock,
             reset,
             unused: clock,
+            input_ports,
+            output_ports,
             inputs,
-            outputs,
             registers: Vec::with_capacity(circuit.registers.len()),
             instances: Vec::new(),
             aliases: Vec::new(),
@@ -109,7 +122,9 @@ impl Naming {
     }
 
     fn name_stored(&mut self, circuit: &Circuit, plan: &Plan, namer: &mut Namer) {
-        let shown: HashSet<&str> = circuit.outputs.iter().map(|output| &*output.name).collect();
+        let plain = self.output_ports.iter().filter(|port| !port.is_array);
+        let shown: HashSet<&str> =
+            plain.map(|port| &*circuit.outputs[port.parts.start].name).collect();
         let mut stored = HashMap::with_capacity(circuit.registers.len());
         for (id, register) in circuit.registers.iter() {
             let suffix = if shown.contains(&*register.name) { "_reg" } else { "" };
@@ -219,21 +234,6 @@ impl Naming {
     }
 }
 
-/// The names of the input and output ports, as everything outside of the module needs them.
-pub fn name_ports(circuit: &Circuit, namer: &mut Namer) -> (Vec<NameId>, Vec<NameId>) {
-    let inputs = circuit
-        .inputs
-        .iter()
-        .enumerate()
-        .map(|(index, input)| match &*input.name {
-            TICK if index == 0 => namer.fix(TICK),
-            name => namer.take(name, ""),
-        })
-        .collect();
-    let outputs = circuit.outputs.iter().map(|output| namer.take(&output.name, "")).collect();
-    (inputs, outputs)
-}
-
 fn kind(form: Form, width: u32, rung: u32) -> &'static str {
     match form {
         Form::Leaf => "constant",
@@ -247,6 +247,9 @@ fn kind(form: Form, width: u32, rung: u32) -> &'static str {
         Form::Choice(..) => "choice",
         Form::Sum(..) => "sum",
         Form::Difference(..) => "difference",
+        Form::Product(..) => "product",
+        Form::Quotient(..) => "quotient",
+        Form::Rest(..) => "rest",
         Form::Compare(Relation::Equal, ..) => "equal",
         Form::Compare(Relation::Unequal, ..) => "unequal",
         Form::Compare(Relation::Less(_), ..) => "less",
@@ -255,5 +258,6 @@ fn kind(form: Form, width: u32, rung: u32) -> &'static str {
         Form::Compare(Relation::AtMost(_), ..) => "at_most",
         Form::Extend(..) => "extended",
         Form::Slice(..) => "part",
+        Form::Concat(_) => "joined",
     }
 }

@@ -60,12 +60,20 @@ pub enum Form {
     Sum(Net, Net),
     /// A difference.
     Difference(Net, Net),
+    /// A product, as wide as an operand.
+    Product(Net, Net),
+    /// An unsigned quotient; 0 for the divisor 0.
+    Quotient(Net, Net),
+    /// What an unsigned division leaves; 0 for the divisor 0.
+    Rest(Net, Net),
     /// A comparison.
     Compare(Relation, Net, Net),
     /// An extension with zeros or, if true, with the top bit.
     Extend(Net, bool),
     /// Bits from that one up.
     Slice(Net, u32),
+    /// Parts side by side, the highest bits first.
+    Concat(Operands),
 }
 
 /// A comparison.
@@ -134,6 +142,9 @@ impl Plan {
             Op::Add(a, b) | Op::Sub(a, b) if cell.width == 1 => Form::Xor(a, b),
             Op::Add(a, b) => Form::Sum(a, b),
             Op::Sub(a, b) => Form::Difference(a, b),
+            Op::Mul(a, b) => Form::Product(a, b),
+            Op::Div(a, b) => Form::Quotient(a, b),
+            Op::Rem(a, b) => Form::Rest(a, b),
             Op::Mux { select, on, off } => Form::Choice(select, on, off),
             Op::Eq(a, b) => Form::Compare(Relation::Equal, a, b),
             // A single bit is a sign of its own: 1 is -1 then.
@@ -146,6 +157,7 @@ impl Plan {
             Op::Less { a, b, signed } => Form::Compare(Relation::Less(signed), a, b),
             Op::Extend { from, signed } => Form::Extend(from, signed),
             Op::Slice { from, low } => Form::Slice(from, low),
+            Op::Concat(operands) => Form::Concat(operands),
         }
     }
 
@@ -216,16 +228,33 @@ impl Plan {
                 self.count_use(a, READ | if cut { CUT } else { 0 });
                 self.count_use(b, READ);
             }
+            // A divisor is looked at twice; and what has a name in both languages need not be
+            // multiplied or divided to prove that the products or quotients are equal.
+            Op::Mul(a, b) | Op::Div(a, b) | Op::Rem(a, b) => {
+                for operand in [a, b] {
+                    let cut = if is_constant(circuit, operand) { 0 } else { CUT };
+                    self.count_use(operand, READ | cut);
+                }
+            }
             Op::Input(_)
             | Op::Register(_)
             | Op::Port(..)
             | Op::Const(_)
+            | Op::Concat(_)
             | Op::And(_)
             | Op::Or(_)
             | Op::Xor(..)
             | Op::Mux { .. } => {
                 circuit.for_each_operand(cell, |operand| self.count_use(operand, READ));
             }
+        }
+        // Only where the type is known can VHDL tell which type parts make.
+        if !matches!(cell.op, Op::Mux { .. }) {
+            circuit.for_each_operand(cell, |operand| {
+                if matches!(circuit.cell(operand).op, Op::Concat(_)) {
+                    self.set(operand, CUT);
+                }
+            });
         }
     }
 
@@ -237,15 +266,20 @@ impl Plan {
             Form::Slice(..) => demanded,
             Form::Compare(..) if uses == 1 && self.has(net, INVERTED) => demanded,
             // Each word operation stands alone, so that it wraps at its own width everywhere.
-            Form::Compare(..) | Form::Choice(..) | Form::Sum(..) | Form::Difference(..) => {
-                demanded || uses > 1 || !self.has(net, SHOWN)
-            }
+            Form::Compare(..)
+            | Form::Choice(..)
+            | Form::Sum(..)
+            | Form::Difference(..)
+            | Form::Product(..)
+            | Form::Quotient(..)
+            | Form::Rest(..) => demanded || uses > 1 || !self.has(net, SHOWN),
             Form::Not(_)
             | Form::And(_)
             | Form::Or(_)
             | Form::Xor(..)
             | Form::Above(..)
-            | Form::Extend(..) => demanded || uses > 1,
+            | Form::Extend(..)
+            | Form::Concat(_) => demanded || uses > 1,
         };
         let mut depth = 0;
         circuit.for_each_operand(cell, |operand| {
@@ -299,9 +333,13 @@ pub fn origin(op: Op) -> Origin {
         | Op::Mux { .. }
         | Op::Add(..)
         | Op::Sub(..)
+        | Op::Mul(..)
+        | Op::Div(..)
+        | Op::Rem(..)
         | Op::Eq(..)
         | Op::Less { .. }
         | Op::Extend { .. }
-        | Op::Slice { .. } => Origin::Cell,
+        | Op::Slice { .. }
+        | Op::Concat(_) => Origin::Cell,
     }
 }

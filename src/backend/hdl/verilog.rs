@@ -8,7 +8,7 @@ use super::comment::Harmless;
 use super::expression::{Dialect, Level, Place, Printer};
 use super::module::Module;
 use super::plan::{Form, Relation};
-use super::view::{Declared, Port, Statement, Stored, View};
+use super::view::{Declared, Part, Port, Statement, Stored, View};
 use super::{Header, Options, header};
 use crate::circuit::{Net, as_signed};
 
@@ -117,6 +117,16 @@ impl Stored<'_, Verilog> {
     }
 }
 
+impl Part<'_> {
+    fn verilog(&self) -> String {
+        match (self.low, self.width) {
+            (None, _) => self.name.to_owned(),
+            (Some(low), 1) => format!("{}[{low}]", self.name),
+            (Some(low), width) => format!("{}[{}:{low}]", self.name, low + width - 1),
+        }
+    }
+}
+
 /// The range of a declaration with the space behind it; nothing for a single bit.
 pub struct Range(pub u32);
 
@@ -168,13 +178,13 @@ impl Dialect for Verilog {
 
     fn level(_: &Module<'_>, _: Net, form: Form) -> Level {
         match form {
-            Form::Leaf | Form::Extend(..) | Form::Slice(..) => Level::Atom,
+            Form::Leaf | Form::Extend(..) | Form::Slice(..) | Form::Concat(_) => Level::Atom,
             Form::Not(_) => Level::Not,
             Form::And(_) | Form::Above(..) => Level::And,
             Form::Or(_) => Level::Or,
             Form::Xor(..) => Level::Xor,
-            Form::Choice(..) => Level::Free,
-            Form::Sum(..) | Form::Difference(..) => Level::Sum,
+            Form::Choice(..) | Form::Quotient(..) | Form::Rest(..) => Level::Free,
+            Form::Sum(..) | Form::Difference(..) | Form::Product(..) => Level::Sum,
             Form::Compare(..) => Level::Compare,
         }
     }
@@ -207,6 +217,9 @@ impl Dialect for Verilog {
             }
             Form::Sum(a, b) => printer.chain("+ ", Level::Sum, &[a, b]),
             Form::Difference(a, b) => printer.chain("- ", Level::Sum, &[a, b]),
+            Form::Product(a, b) => printer.chain("* ", Level::Sum, &[a, b]),
+            Form::Quotient(a, b) => printer.divided("/ ", a, b),
+            Form::Rest(a, b) => printer.divided("% ", a, b),
             Form::Choice(select, on, off) => {
                 printer.item("", select, Place::Inside(Level::Condition), "")?;
                 printer.item("? ", on, Place::Inside(Level::Or), "")?;
@@ -225,6 +238,14 @@ impl Dialect for Verilog {
                 printer.item(operator, b, Place::Number { signed }, "")
             }
             Form::Extend(from, signed) => extend(printer, from, circuit.width(net), signed),
+            Form::Concat(operands) => {
+                printer.text("{")?;
+                let (last, others) = circuit.list(operands).split_last().expect("it has parts");
+                for &part in others {
+                    printer.item("", part, Place::Inside(Level::Free), ",")?;
+                }
+                printer.item("", *last, Place::Inside(Level::Free), "}")
+            }
             Form::Slice(from, low) => {
                 Self::leaf(printer, from)?;
                 match (circuit.width(from), circuit.width(net)) {
@@ -258,6 +279,21 @@ impl Dialect for Verilog {
 }
 
 impl<W: Write> Printer<'_, W, Verilog> {
+    /// A division; by 0 it gives 0.
+    fn divided(&mut self, operator: &str, a: Net, b: Net) -> fmt::Result {
+        let (width, sum) = (self.module.circuit.width(a), Place::Inside(Level::Sum));
+        let mut before = "";
+        if self.module.circuit.constant_value(b).is_none() {
+            let zero = Number::new(0, width);
+            self.item("", b, sum, "")?;
+            self.word(&format!("== {zero}"))?;
+            self.word(&format!("? {zero}"))?;
+            before = ": ";
+        }
+        self.item(before, a, sum, "")?;
+        self.item(operator, b, sum, "")
+    }
+
     fn constant(&mut self, net: Net, signed: bool) -> fmt::Result {
         let circuit = self.module.circuit;
         let bits = circuit.constant_value(net).expect("a net without a name is a constant");

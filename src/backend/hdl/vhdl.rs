@@ -8,7 +8,7 @@ use super::comment::Harmless;
 use super::expression::{Dialect, Level, Place, Printer};
 use super::module::Module;
 use super::plan::{Form, Relation};
-use super::view::{Declared, Port, Statement, Stored, View};
+use super::view::{Declared, Part, Port, Statement, Stored, View};
 use super::{Header, Options, header};
 use crate::circuit::{Net, as_signed};
 
@@ -54,6 +54,21 @@ impl View<'_, Vhdl> {
 impl Port<'_> {
     fn mode(&self) -> &'static str {
         if self.is_input { "in " } else { "out" }
+    }
+}
+
+impl Part<'_> {
+    fn vhdl(&self) -> String {
+        match (self.low, self.width) {
+            (None, _) => self.name.to_owned(),
+            (Some(low), 1) => format!("{}({low})", self.name),
+            (Some(low), width) => format!("{}({} downto {low})", self.name, low + width - 1),
+        }
+    }
+
+    /// As a signal inside has it.
+    fn inside(&self) -> String {
+        if self.width == 1 { self.vhdl() } else { format!("unsigned({})", self.vhdl()) }
     }
 }
 
@@ -144,8 +159,9 @@ impl Dialect for Vhdl {
             Form::And(_) | Form::Above(..) => Level::And,
             Form::Or(_) => Level::Or,
             Form::Xor(..) => Level::Xor,
-            Form::Choice(..) => Level::Free,
-            Form::Sum(..) | Form::Difference(..) => Level::Sum,
+            Form::Choice(..) | Form::Quotient(..) | Form::Rest(..) => Level::Free,
+            Form::Sum(..) | Form::Difference(..) | Form::Concat(_) => Level::Sum,
+            Form::Product(..) => Level::Atom,
             Form::Compare(..) => Level::Free,
         }
     }
@@ -183,6 +199,14 @@ impl Dialect for Vhdl {
             }
             Form::Sum(a, b) => printer.chain_numbers("+ ", a, b),
             Form::Difference(a, b) => printer.chain_numbers("- ", a, b),
+            Form::Product(a, b) => {
+                printer.text("resize(")?;
+                printer.item("", a, Place::Inside(Level::Sum), "")?;
+                printer.item("* ", b, Place::Inside(Level::Sum), "")?;
+                write!(printer, ", {})", circuit.width(net))
+            }
+            Form::Quotient(a, b) => printer.divided("/ ", a, b),
+            Form::Rest(a, b) => printer.divided("rem ", a, b),
             Form::Choice(select, on, off) => {
                 printer.item("", on, Place::Inside(Level::Free), "")?;
                 printer.item("when ", select, Place::Inside(Level::Compare), " = '1'")?;
@@ -203,6 +227,7 @@ impl Dialect for Vhdl {
             }
             Form::Extend(from, signed) => printer.extend(from, circuit.width(net), signed),
             Form::Slice(from, low) => printer.slice(from, low, circuit.width(net)),
+            Form::Concat(operands) => printer.chain("& ", Level::Sum, circuit.list(operands)),
         }
     }
 
@@ -260,6 +285,20 @@ impl<W: Write> Printer<'_, W, Vhdl> {
         self.text("resize(")?;
         self.operand(from, Place::Number { signed: true })?;
         write!(self, ", {width})")
+    }
+
+    /// A division; by 0 it gives 0.
+    fn divided(&mut self, operator: &str, a: Net, b: Net) -> fmt::Result {
+        // A constant has its width said, so that tools that read it back see the same divider.
+        let (number, sum) = (Place::Number { signed: false }, Place::Inside(Level::Sum));
+        if self.module.circuit.constant_value(b).is_none() {
+            self.word(&format!("to_unsigned(0, {})", self.module.circuit.width(a)))?;
+            self.item("when ", b, number, " = 0")?;
+            self.item("else ", a, sum, "")?;
+            return self.item(operator, b, sum, "");
+        }
+        self.item("", a, sum, "")?;
+        self.item(operator, b, sum, "")
     }
 
     fn chain_numbers(&mut self, operator: &str, a: Net, b: Net) -> fmt::Result {

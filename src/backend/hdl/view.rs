@@ -36,6 +36,24 @@ pub struct Port<'a> {
     pub is_input: bool,
 }
 
+/// Some bits of a port.
+pub struct Part<'a> {
+    /// The port.
+    pub name: &'a str,
+    /// The lowest of them; none for a port of a single bit.
+    pub low: Option<u32>,
+    /// How many.
+    pub width: u32,
+}
+
+/// The wire of an element of an array, and the bits that it takes from the port.
+pub struct Element<'a> {
+    /// The wire.
+    pub wire: Declared<'a>,
+    /// The bits.
+    pub part: Part<'a>,
+}
+
 /// A register.
 pub struct Stored<'a, D> {
     /// The printed name.
@@ -106,12 +124,24 @@ impl<'a, D: Dialect> View<'a, D> {
         let module = self.module;
         let input = |(name, width)| Port { name, width, is_input: true };
         let clock = module.clock_and_reset().into_iter().flatten().map(|name| (name, 1));
-        let outputs = module.outputs().map(|(name, net)| Port {
-            name,
-            width: module.circuit.width(net),
-            is_input: false,
+        let inputs = module.inputs().map(|(name, port)| (name, port.width));
+        let outputs = module.outputs();
+        let outputs = outputs.map(|(name, port)| Port { name, width: port.width, is_input: false });
+        clock.chain(inputs).map(input).chain(outputs).collect()
+    }
+
+    /// The elements of input ports that are arrays.
+    pub fn elements(&self) -> Vec<Element<'a>> {
+        let module = self.module;
+        let arrays = module.inputs().filter(|(_, port)| port.is_array);
+        let elements = arrays.flat_map(|(name, port)| {
+            let is_bit = port.width == 1;
+            port.elements().map(move |(input, low, width)| Element {
+                wire: Declared { name: module.input(input), width },
+                part: Part { name, low: (!is_bit).then_some(low), width },
+            })
         });
-        clock.chain(module.inputs()).map(input).chain(outputs).collect()
+        elements.collect()
     }
 
     /// All registers.
@@ -169,8 +199,13 @@ impl<'a, D: Dialect> View<'a, D> {
         })
     }
 
-    /// The wires in the order of the statements.
+    /// The wires in the order of the statements, those of elements first.
     pub fn wires(&self) -> impl Iterator<Item = Declared<'a>> + use<'a, D> {
+        let elements = self.elements().into_iter().map(|element| element.wire);
+        elements.chain(self.statement_wires())
+    }
+
+    fn statement_wires(&self) -> impl Iterator<Item = Declared<'a>> + use<'a, D> {
         self.statements().flat_map(|statement| match statement {
             Statement::Section(_) | Statement::Instance { .. } => Vec::new(),
             Statement::Wire(wire, _) => vec![wire],
@@ -179,11 +214,15 @@ impl<'a, D: Dialect> View<'a, D> {
     }
 
     /// The output ports and what they show.
-    pub fn outputs(&self) -> impl Iterator<Item = (&'a str, Value<'a, D>)> + use<'a, D> {
+    pub fn outputs(&self) -> impl Iterator<Item = (Part<'a>, Value<'a, D>)> + use<'a, D> {
         let module = self.module;
-        module.outputs().map(move |(name, net)| {
-            let column = D::lead(name, module.circuit.width(net));
-            (name, Value::shown(module, net, column))
+        module.outputs().flat_map(move |(name, port)| {
+            port.elements().map(move |(output, low, width)| {
+                let net = module.circuit.outputs[output].net;
+                let low = (port.is_array && port.width > 1).then_some(low);
+                let column = D::lead(name, width);
+                (Part { name, low, width }, Value::shown(module, net, column))
+            })
         })
     }
 }
@@ -198,9 +237,9 @@ fn port_wires<'a>(
     inner
         .outputs()
         .enumerate()
-        .filter_map(|(output, (_, net))| {
+        .filter_map(|(output, (_, port))| {
             let name = module.port_wire(id, output)?;
-            Some(Declared { name, width: inner.circuit.width(net) })
+            Some(Declared { name, width: port.width })
         })
         .collect()
 }

@@ -10,7 +10,7 @@ use askama::Template;
 
 use super::names::{CLOCK, NameId, Namer, Names, TICK};
 use super::prescaler::{Prescaler, Quantity};
-use super::{Header, Language, Options, PortNames, header, verilog, vhdl};
+use super::{Header, Language, Options, PortName, PortNames, header, verilog, vhdl};
 use crate::circuit::Design;
 
 /// What the wrapper has to know of the board.
@@ -30,12 +30,16 @@ struct Pin<'a> {
     width: u32,
     meta: &'a str,
     sync: &'a str,
-    debounce: Option<Debounce<'a>>,
+    /// What is left of a `BOOL`, or of the elements of an array of them, without bounces.
+    stable: Option<&'a str>,
+    /// How each `BOOL` gets there.
+    debounced: Vec<Debounce<'a>>,
 }
 
-#[derive(Clone, Copy)]
+/// A bit that must keep its value for some time.
 struct Debounce<'a> {
-    stable: &'a str,
+    /// Its place in a pin of several bits.
+    bit: Option<usize>,
     /// Counts the ticks but the last.
     count: &'a str,
 }
@@ -43,15 +47,23 @@ struct Debounce<'a> {
 impl Pin<'_> {
     /// What the program sees.
     fn seen(&self) -> &str {
-        self.debounce.as_ref().map_or(self.sync, |debounce| debounce.stable)
+        self.stable.unwrap_or(self.sync)
+    }
+
+    fn verilog(&self, name: &str, bit: &Option<usize>) -> String {
+        bit.map_or(name.to_owned(), |bit| format!("{name}[{bit}]"))
+    }
+
+    fn vhdl(&self, name: &str, bit: &Option<usize>) -> String {
+        bit.map_or(name.to_owned(), |bit| format!("{name}({bit})"))
     }
 
     fn verilog_range(&self) -> verilog::Range {
         verilog::Range(self.width)
     }
 
-    fn verilog_zero(&self) -> verilog::Number {
-        verilog::Number::new(0, self.width)
+    fn verilog_zero(&self) -> String {
+        if self.width == 1 { "1'b0".to_owned() } else { format!("{}'d0", self.width) }
     }
 
     fn vhdl_type(&self) -> vhdl::Type {
@@ -168,27 +180,29 @@ pub fn print(design: &Design, language: Language, options: &Options, board: &Boa
     let ports = PortNames::new(design, options.reset);
     let circuit = design.top();
     let has_tick = circuit.inputs.first().is_some_and(|input| &*input.name == TICK);
-    let widths = circuit.inputs.iter().map(|input| input.width);
-    let inputs: Vec<(&str, u32)> =
-        ports.inputs.iter().map(String::as_str).zip(widths).skip(has_tick.into()).collect();
+    let inputs = &ports.inputs[usize::from(has_tick)..];
     let outer = HashSet::from([ports.module.to_ascii_lowercase()]);
-    let (names, fixed, ids) = choose_names(&ports, &inputs, &outer);
     let debounce_ticks = board.debounce_ticks.filter(|&ticks| ticks > 0);
-    let pins = inputs
-        .iter()
-        .zip(ids)
-        .map(|(&(port, width), [meta, sync, stable, count])| Pin {
-            port,
-            width,
-            meta: names.get(meta),
-            sync: names.get(sync),
-            debounce: debounce_ticks
-                .filter(|_| width == 1)
-                .map(|_| Debounce { stable: names.get(stable), count: names.get(count) }),
-        })
-        .collect();
-    let shown = circuit.outputs.iter().map(|output| circuit.width(output.net));
-    let lamps = ports.outputs.iter().zip(shown).map(|(port, width)| Lamp { port, width }).collect();
+    let (names, fixed, ids) = choose_names(&ports, inputs, &outer);
+    let pins = inputs.iter().zip(&ids).map(|(port, ids)| {
+        let is_debounced = debounce_ticks.is_some() && is_bool(port);
+        let bits = if is_debounced { ids.counts.as_slice() } else { &[] };
+        let debounced = bits.iter().enumerate().map(|(bit, &count)| Debounce {
+            bit: (port.width > 1).then_some(bit),
+            count: names.get(count),
+        });
+        Pin {
+            port: &port.name,
+            width: port.width,
+            meta: names.get(ids.meta),
+            sync: names.get(ids.sync),
+            stable: is_debounced.then(|| names.get(ids.stable)),
+            debounced: debounced.collect(),
+        }
+    });
+    let pins = pins.collect();
+    let lamps = ports.outputs.iter().map(|port| Lamp { port: &port.name, width: port.width });
+    let lamps = lamps.collect();
     let prescaler = Prescaler::new(board.clock_hz, board.tick_ns);
     let view = View {
         header: header(options),
@@ -212,22 +226,33 @@ pub fn print(design: &Design, language: Language, options: &Options, board: &Boa
     text.expect("writing to a string does not fail")
 }
 
+/// The names of what stands behind a pin.
+struct PinNames {
+    meta: NameId,
+    sync: NameId,
+    stable: NameId,
+    /// For each `BOOL` in it.
+    counts: Vec<NameId>,
+}
+
+/// True for a `BOOL` and an array of them.
+fn is_bool(port: &PortName) -> bool {
+    port.width == port.elements.unwrap_or(1)
+}
+
 /// The pins have the program's names; what is inside yields.
 fn choose_names(
     ports: &PortNames,
-    inputs: &[(&str, u32)],
+    inputs: &[PortName],
     outer: &HashSet<String>,
-) -> (Names, Fixed, Vec<[NameId; 4]>) {
+) -> (Names, Fixed, Vec<PinNames>) {
     let mut namer = Namer::new(outer);
     namer.fix(CLOCK);
     namer.fix(ports.reset);
     let tick = namer.fix(TICK);
     namer.fix("async_reg");
-    for (port, _) in inputs {
-        namer.take(port, "");
-    }
-    for port in &ports.outputs {
-        namer.take(port, "");
+    for port in inputs.iter().chain(&ports.outputs) {
+        namer.take(&port.name, "");
     }
     let fixed = Fixed {
         tick,
@@ -238,7 +263,19 @@ fn choose_names(
     };
     let ids = inputs
         .iter()
-        .map(|(port, _)| ["_meta", "_sync", "_stable", "_count"].map(|end| namer.take(port, end)))
+        .map(|port| {
+            let name = &port.name;
+            let [meta, sync, stable] =
+                ["_meta", "_sync", "_stable"].map(|end| namer.take(name, end));
+            let counts = match port.elements {
+                _ if !is_bool(port) => Vec::new(),
+                None => vec![namer.take(name, "_count")],
+                Some(elements) => (0..elements)
+                    .map(|element| namer.take(format_args!("{name}_{element}"), "_count"))
+                    .collect(),
+            };
+            PinNames { meta, sync, stable, counts }
+        })
         .collect();
     (namer.finish(), fixed, ids)
 }

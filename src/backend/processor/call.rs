@@ -275,7 +275,8 @@ impl Compiler<'_> {
             None => self.program.variables[self.member(call.instance, "PV")].initial,
             Some((ArgumentValue::Value(expr), span)) => match expr.kind {
                 ExprKind::Constant(value) => value,
-                ExprKind::Read(variable) if call.shape.block.name != "DRUM" => {
+                ExprKind::Read(ref place) if call.shape.block.name != "DRUM" => {
+                    let variable = self.whole(place, span)?;
                     return self.number(variable, span);
                 }
                 ExprKind::Read(_) => {

@@ -15,9 +15,8 @@ use super::usage;
 use super::word::{Address, CODE_WORDS, Operation, Prefix, Word};
 use crate::backend::hdl::Harmless;
 use crate::diagnostic::{Diagnostic, code};
-use crate::model::{CoilAction, Edge, Element, InstanceId, Program, Role, VariableId};
+use crate::model::{CoilAction, Edge, Element, InstanceId, Place, Program, Role, VariableId};
 use crate::source::Span;
-use crate::types::Type;
 
 /// A program on the processor.
 #[derive(Clone, Debug)]
@@ -169,6 +168,10 @@ impl Compiler<'_> {
         self.rungs.push(self.rung);
     }
 
+    pub(super) fn operation(&mut self, operation: Operation, coil: Address) {
+        self.word(Word::Output { operation, coil });
+    }
+
     pub(super) fn prefix(&mut self, prefix: Prefix) {
         self.word(Word::Prefix(prefix));
     }
@@ -318,9 +321,15 @@ impl Compiler<'_> {
                     self.inverted(&tree).map(Power::Drawn)
                 }
             },
-            Element::Coil { target, action, .. } => self.coil(*target, *action, power),
+            Element::Coil { target, action, span } => match target.as_variable() {
+                Some(target) => self.coil(target, *action, power),
+                None => self.register_coil(target, *action, *span, power),
+            },
             Element::ResetInstance(instance) => self.reset_instance(*instance, power),
-            Element::Assign { target, value, span } => self.assign(*target, value, *span, power),
+            Element::Assign { target, value, span } => {
+                let target = self.whole(target, *span)?;
+                self.assign(target, value, *span, power)
+            }
             Element::Call(call) => self.call(call, power),
             Element::Constant(_)
             | Element::Contact { .. }
@@ -334,13 +343,13 @@ impl Compiler<'_> {
     pub(super) fn contacts(&mut self, element: &Element) -> Done<Tree> {
         match element {
             Element::Constant(value) => Ok(Tree::constant(*value)),
-            Element::Contact { variable, negated, span } => {
-                let address = self.readable(*variable, *span)?;
+            Element::Contact { place, negated, span } => {
+                let address = self.bit_of(place, *span)?;
                 Ok(Tree::Contact(Contact { address, negated: *negated }))
             }
-            Element::Edge { variable, edge, memory } => {
+            Element::Edge { place, edge, memory } => {
                 let span = self.program.variables[*memory].span;
-                let address = self.readable(*variable, span)?;
+                let address = self.bit_of(place, span)?;
                 let coil = self.flag()?;
                 self.change(Contact { address, negated: false }, *edge, *memory, coil)?;
                 Ok(Tree::on(coil))
@@ -366,6 +375,14 @@ impl Compiler<'_> {
         Ok(Tree::series(parts))
     }
 
+    /// A place that is a whole variable, and always the same one.
+    pub(super) fn whole(&mut self, place: &Place, span: Span) -> Done<VariableId> {
+        place.as_variable().ok_or_else(|| {
+            let label = format!("`{}` has no address of its own", place.name(self.program));
+            self.cannot(span, "bits of words and elements chosen while it runs", label)
+        })
+    }
+
     /// The address of a bit that a contact looks at.
     pub(super) fn readable(&mut self, variable: VariableId, span: Span) -> Done<Address> {
         if let Some(address) = self.address(variable) {
@@ -377,27 +394,6 @@ impl Compiler<'_> {
             Role::Member(..) => Reported,
             _ => self.cannot(span, "this contact", format!("`{name}` has no image address")),
         })
-    }
-
-    /// The register of a number that the program does not change: it has its initial value, or an
-    /// input's, which the host writes.
-    pub(super) fn number(&mut self, variable: VariableId, span: Span) -> Done<u16> {
-        if let Some(register) = self.layout.register(variable) {
-            return Ok(register);
-        }
-        let declared = &self.program.variables[variable];
-        let (name, initial) = (declared.name.to_string(), declared.ty.bits(declared.initial));
-        if declared.ty != Type::Int {
-            let label = format!("`{name}` is {}", declared.ty);
-            return Err(self.cannot(span, "such a preset", label));
-        }
-        let register = self.layout.presets(&[name], span);
-        let register = self.limit(register)?;
-        self.layout.place(variable, register);
-        if initial != 0 {
-            self.rom.registers.insert(register, initial as u16);
-        }
-        Ok(register)
     }
 
     /// Branches with outputs in them: each is worked out in its turn.
@@ -436,7 +432,7 @@ impl Compiler<'_> {
         };
         match element {
             Element::Coil { target, .. } | Element::Assign { target, .. } => {
-                written.extend(self.address(*target));
+                written.extend(target.as_variable().and_then(|target| self.address(target)));
             }
             Element::ResetInstance(instance) => written.extend(members(*instance)),
             Element::Call(call) => written.extend(members(call.instance)),

@@ -12,7 +12,10 @@ impl Compiler<'_> {
     pub(super) fn condition(&mut self, expr: &Expr, span: Span) -> Done<Tree> {
         match &expr.kind {
             ExprKind::Constant(value) => Ok(Tree::constant(*value != 0)),
-            ExprKind::Read(variable) => Ok(Tree::on(self.readable(*variable, span)?)),
+            ExprKind::Read(place) => Ok(Tree::on(self.bit_of(place, span)?)),
+            ExprKind::Convert(_) | ExprKind::Call(..) => {
+                Err(self.cannot(span, "functions and conversions", "an expression with one"))
+            }
             ExprKind::Not(operand) => {
                 let tree = self.condition(operand, span)?;
                 Ok(tree.inverted().expect("an expression has no bridges"))
@@ -23,7 +26,11 @@ impl Compiler<'_> {
                     BinaryOp::And => Ok(Tree::series([a, b])),
                     BinaryOp::Or => Ok(Tree::parallel([a, b])),
                     BinaryOp::Xor => self.differ(a, b),
-                    BinaryOp::Add | BinaryOp::Subtract => unreachable!("a BOOL has no sum"),
+                    BinaryOp::Add
+                    | BinaryOp::Subtract
+                    | BinaryOp::Multiply
+                    | BinaryOp::Divide
+                    | BinaryOp::Modulo => unreachable!("a BOOL is no number"),
                 }
             }
             ExprKind::Compare(_, a, _) if a.ty != Type::Bool => {
@@ -69,9 +76,7 @@ impl Compiler<'_> {
             let label = format!("a value of type {}", value.ty);
             return Err(self.cannot(span, "an assignment of numbers", label));
         }
-        let Some(coil) = self.address(target) else {
-            return Err(self.readable(target, span).err().expect("it has no address"));
-        };
+        let coil = self.readable(target, span)?;
         let left = self.drawn(power)?;
         let value = self.condition(value, span)?;
         if left.is_wire() {

@@ -13,6 +13,7 @@ mod layout;
 mod listing;
 mod memory;
 mod net;
+mod register;
 mod rom;
 mod runner;
 mod tree;

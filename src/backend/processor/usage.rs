@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use crate::model::{ArgumentValue, Element, Expr, ExprKind, Program, VariableId};
+use crate::model::{ArgumentValue, Element, Program, VariableId};
 
 /// Every variable that a rung reads or writes by its name.
 pub(super) fn named(program: &Program) -> HashSet<VariableId> {
@@ -16,17 +16,14 @@ pub(super) fn named(program: &Program) -> HashSet<VariableId> {
 fn elements(network: &[Element], named: &mut HashSet<VariableId>) {
     for element in network {
         match element {
-            Element::Contact { variable, .. } | Element::Edge { variable, .. } => {
-                named.insert(*variable);
-            }
-            Element::Coil { target, .. } => {
-                named.insert(*target);
-            }
+            Element::Contact { place, .. }
+            | Element::Edge { place, .. }
+            | Element::Coil { target: place, .. } => place.for_each_variable(&mut name(named)),
             Element::Assign { target, value, .. } => {
-                named.insert(*target);
-                expression(value, named);
+                target.for_each_variable(&mut name(named));
+                value.for_each_variable(&mut name(named));
             }
-            Element::Compare(expr, _) => expression(expr, named),
+            Element::Compare(expr, _) => expr.for_each_variable(&mut name(named)),
             Element::Parallel(branches) => {
                 branches.iter().for_each(|branch| elements(branch, named));
             }
@@ -37,7 +34,7 @@ fn elements(network: &[Element], named: &mut HashSet<VariableId>) {
                 for argument in call.arguments.iter().chain(&call.starts) {
                     match &argument.value {
                         ArgumentValue::Network(network) => elements(network, named),
-                        ArgumentValue::Value(expr) => expression(expr, named),
+                        ArgumentValue::Value(expr) => expr.for_each_variable(&mut name(named)),
                     }
                 }
             }
@@ -49,16 +46,8 @@ fn elements(network: &[Element], named: &mut HashSet<VariableId>) {
     }
 }
 
-fn expression(expr: &Expr, named: &mut HashSet<VariableId>) {
-    match &expr.kind {
-        ExprKind::Constant(_) => {}
-        ExprKind::Read(variable) => {
-            named.insert(*variable);
-        }
-        ExprKind::Not(operand) => expression(operand, named),
-        ExprKind::Binary(_, a, b) | ExprKind::Compare(_, a, b) => {
-            expression(a, named);
-            expression(b, named);
-        }
+fn name(named: &mut HashSet<VariableId>) -> impl FnMut(VariableId) {
+    |variable| {
+        named.insert(variable);
     }
 }

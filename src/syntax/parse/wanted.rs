@@ -117,14 +117,25 @@ fn help_about_token(rule: Rule, token: &str) -> Option<&'static str> {
         "[" if is_in_expression(rule) => {
             "only a name that is declared as an array has elements: `var w : WORD[3]`"
         }
+        ":=" if rule == Rule::want_function_end => "arguments of a function go by their order",
         ":=" if rule == Rule::want_brace_end => "one pair of braces holds one assignment",
         ":=" if in_network => "an assignment stands in braces: `{ total := total + 1 }`",
         "=" | "<" | ">" | "<=" | ">=" | "<>" | "==" | "!=" if in_network => {
             "a comparison stands in braces: `{ count >= 10 }`"
         }
+        "=" | "<" | ">" | "<=" | ">=" | "<>" | "==" | "!="
+            if matches!(rule, Rule::want_statement | Rule::want_repeat_end) =>
+        {
+            "a comparison stands in braces: `expect { count >= 10 }`"
+        }
         "+" | "-" | "*" if in_network => "an expression stands in braces: `{ count >= top - 1 }`",
         "->" | "<->" if in_network => "connections stand in a network: `net { left -> n1 : a }`",
-        "|" if in_network => "branches stand in square brackets: `[ a | b ]`",
+        ":=" if rule == Rule::want_coil_end => {
+            "a coil names one variable; a block has a name of its own: `delay:TON(PT := 5s)`"
+        }
+        "|" if in_network || rule == Rule::want_coil_end => {
+            "branches stand in square brackets: `[ a | b ]`"
+        }
         "," if in_network => "elements of a rung are separated by white space",
         "!" if in_network => "`!` stands right before a contact",
         _ if is_invisible(first) => {
@@ -153,7 +164,7 @@ fn help_about_place(rule: Rule) -> Option<&'static str> {
             "a block is written with its parameters by name: `delay:TON(PT := 5s)`"
         }
         Rule::want_coil_end | Rule::want_coil_operand => {
-            "a coil names one variable: `( lamp )`, `(S lamp)`"
+            "the coils are `( y )`, `( !y )`, `(S y)`, `(R y)`, `(rise y)` and `(fall y)`"
         }
         Rule::want_constant_name | Rule::want_constant_value => {
             "a constant is written `const FULL : INT := 10`"

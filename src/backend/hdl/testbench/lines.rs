@@ -1,10 +1,9 @@
 //! The statements of the tests, one line of the testbench's process after the other.
 
-use std::collections::HashMap;
-
+use super::signals::{Shown, Wires};
 use crate::backend::hdl::comment::Harmless;
 use crate::eval::variables_of;
-use crate::model::{Expect, Program, Statement, VariableId};
+use crate::model::{Expect, Program, Statement};
 use crate::source::Source;
 
 /// A line of the test process.
@@ -21,7 +20,7 @@ pub enum LineKind {
     Start(String),
     /// The test of this number, from 1, and title is over.
     End(usize, String),
-    /// Drives an input of a width with bits.
+    /// Drives that many bits of an input with a value.
     Drive(String, u32, u64),
     /// Runs scans, with a tick each (`'1'`) or without.
     Scan(u64, char),
@@ -32,16 +31,12 @@ pub enum LineKind {
     /// Back to reset.
     Reset,
     /// Checks the expectation of a number at a place, and shows these signals if it fails.
-    Expect(usize, String, Vec<String>),
+    Expect(usize, String, Vec<Shown>),
 }
 
 /// The lines of all tests.
-pub fn lines(
-    program: &Program,
-    source: &Source,
-    signals: &HashMap<VariableId, String>,
-) -> Vec<Line> {
-    let mut printer = Printer { program, source, signals, lines: Vec::new(), depth: 0 };
+pub fn lines(program: &Program, source: &Source, wires: &Wires) -> Vec<Line> {
+    let mut printer = Printer { program, source, wires, lines: Vec::new(), depth: 0 };
     for (index, test) in program.tests.iter().enumerate() {
         // What follows a `#` would be an order to whoever reads the report.
         let title = plain(&test.title).replace('#', "\\#");
@@ -56,7 +51,7 @@ pub fn lines(
 struct Printer<'a> {
     program: &'a Program,
     source: &'a Source,
-    signals: &'a HashMap<VariableId, String>,
+    wires: &'a Wires,
     lines: Vec<Line>,
     depth: usize,
 }
@@ -70,8 +65,8 @@ impl Printer<'_> {
         for statement in statements {
             match statement {
                 Statement::Drive(input, value) => {
-                    let ty = self.program.variables[*input].ty;
-                    let signal = self.signals[input].clone();
+                    let ty = input.ty(self.program);
+                    let signal = self.wires.text(input.declared(), input.bit);
                     self.line(LineKind::Drive(signal, ty.width(), ty.bits(*value)));
                 }
                 Statement::Scan(scans) => self.line(LineKind::Scan(*scans, '0')),
@@ -94,7 +89,7 @@ impl Printer<'_> {
         let place = format!("{}:{line}", plain(self.source.file_name()));
         let values = variables_of(&expect.network)
             .iter()
-            .map(|variable| self.signals[variable].clone())
+            .map(|&variable| self.wires.shown(variable))
             .collect();
         self.line(LineKind::Expect(expect.index, place, values));
     }

@@ -6,9 +6,10 @@
 //! the tests.
 
 mod lines;
+mod signals;
 mod tap;
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
 
 use askama::Template;
 use la_arena::Arena;
@@ -22,6 +23,7 @@ use crate::expand;
 use crate::model::{Expect, Program, Role, Statement, VariableId};
 use crate::source::Source;
 use lines::{Line, LineKind};
+use signals::Signal;
 
 pub use tap::outcomes;
 
@@ -135,13 +137,6 @@ struct Instance {
     ports: Vec<(String, String)>,
 }
 
-/// A signal at a port of the program.
-struct Signal {
-    name: String,
-    width: u32,
-    is_input: bool,
-}
-
 /// The nets of an expectation, one for each element of its series.
 struct Expectation {
     name: String,
@@ -221,7 +216,7 @@ impl Bench {
             namer.take(counter, "");
         }
         let expectations = expectation_nets(&all, &mut namer);
-        let (signals, by_variable) = signals(program, core, observed, &core_ports, namer);
+        let (signals, wires) = signals::signals(program, observed, &core_ports, namer, language);
 
         let checks = expectation_design(program, &all, &read);
         let mut modules = String::new();
@@ -232,20 +227,20 @@ impl Bench {
             modules += &without_header(super::print(&checks, language, options));
         }
         let expect = (!all.is_empty()).then(|| {
-            let inputs = read.iter().map(|variable| by_variable[variable].as_str());
+            let inputs = read.iter().map(|&variable| wires.text(variable, None));
             let nets = expectations.iter().flat_map(|expectation| &expectation.elements);
-            instance(super::port_names(&checks, options), inputs.chain(nets.map(String::as_str)))
+            instance(super::port_names(&checks, options), inputs.chain(nets.cloned()))
         });
         Bench {
             header: header(options).to_string(),
             name: name(program),
             modules,
-            core: instance(core_ports, signals.iter().map(|signal| signal.name.as_str())),
+            core: instance(core_ports, signals.iter().map(|signal| signal.name.clone())),
             expect,
             reset_port: options.reset.port(),
             reset_on: if options.reset.is_low() { '0' } else { '1' },
             reset_off: if options.reset.is_low() { '1' } else { '0' },
-            lines: lines::lines(program, source, &by_variable),
+            lines: lines::lines(program, source, &wires),
             signals,
             expectations,
             tests: program.tests.len(),
@@ -253,41 +248,11 @@ impl Bench {
     }
 }
 
-/// A signal for each port of the tested design, and the signal's name by variable.
-fn signals(
-    program: &Program,
-    core: &Design,
-    observed: &[VariableId],
-    ports: &PortNames,
-    mut namer: Namer<'_>,
-) -> (Vec<Signal>, HashMap<VariableId, String>) {
-    let top = core.top();
-    let inputs = top.inputs.iter().map(|input| (input.width, true));
-    let outputs = top.outputs.iter().map(|output| (top.width(output.net), false));
-    // The first input is the tick, which is no variable.
-    let printed = ports.inputs.iter().skip(1).chain(&ports.outputs);
-    let tick = namer.fix(super::names::TICK);
-    let named = printed.map(|name| namer.take(name, ""));
-    let ids: Vec<_> = std::iter::once(tick).chain(named).collect();
-    let names = namer.finish();
-    let signals: Vec<Signal> = ids
-        .iter()
-        .zip(inputs.chain(outputs))
-        .map(|(&id, (width, is_input))| Signal { name: names.get(id).to_owned(), width, is_input })
-        .collect();
-    let with_role = |role| program.with_role(role).map(|(id, _)| id);
-    let variables =
-        with_role(Role::Input).chain(with_role(Role::Output)).chain(observed.iter().copied());
-    let by_variable =
-        variables.zip(signals.iter().skip(1).map(|signal| signal.name.clone())).collect();
-    (signals, by_variable)
-}
-
 /// An instance with clock and reset and these nets at its other ports.
-fn instance<'a>(ports: PortNames, nets: impl Iterator<Item = &'a str>) -> Instance {
+fn instance(ports: PortNames, nets: impl Iterator<Item = String>) -> Instance {
     let fixed = [ports.clock, ports.reset].map(|port| (port.to_owned(), port.to_owned()));
-    let named = ports.inputs.into_iter().chain(ports.outputs);
-    let named = named.zip(nets.map(str::to_owned));
+    let named = ports.inputs.into_iter().chain(ports.outputs).map(|port| port.name);
+    let named = named.zip(nets);
     Instance { module: ports.module, ports: fixed.into_iter().chain(named).collect() }
 }
 

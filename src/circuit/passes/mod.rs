@@ -1,0 +1,55 @@
+//! Makes a design small: what a good engineer would have written for this program and no other.
+//!
+//! Each pass takes a circuit and gives one that shows the same at its outputs in every scan after
+//! reset, whatever the inputs are. None looks at names: what is true of a timer is true of a
+//! counter that a program makes out of a variable.
+
+mod ahead;
+mod family;
+mod fit;
+mod merge;
+mod narrow;
+mod ports;
+mod rebuild;
+mod saturate;
+
+use super::{Circuit, Design};
+use ports::Shown;
+
+/// A pass: the better circuit, or nothing if there is nothing to do.
+type Pass = fn(&Circuit) -> Option<Circuit>;
+
+/// The passes over a circuit, in their order.
+const PASSES: &[Pass] = &[
+    merge::merge,
+    narrow::narrow,
+    saturate::saturate,
+    // What stops sooner is narrower.
+    narrow::narrow,
+    ahead::compare_ahead,
+    merge::merge,
+];
+
+/// Fits the modules of a design to their instances and makes every circuit small. Behaviour at the
+/// top's ports stays the same.
+pub fn simplify(design: Design) -> Design {
+    let fitted = fit::fit(design);
+    let mut circuits: Vec<Circuit> = fitted.modules.into_iter().map(|(_, module)| module).collect();
+    let top = circuits.pop().expect("a design has a top");
+    let modules: Vec<(Circuit, Vec<Shown>)> = circuits
+        .into_iter()
+        .map(|module| {
+            let mut module = reduce(module);
+            let shown = ports::narrow_outputs(&mut module);
+            (module, shown)
+        })
+        .collect();
+    let top = reduce(ports::read_narrow(&top, &modules));
+    let modules = modules.into_iter().map(|(module, _)| module).chain([top]).collect();
+    // What only the larger circuits read goes.
+    fit::fit(Design { modules })
+}
+
+fn reduce(circuit: Circuit) -> Circuit {
+    PASSES.iter().fold(circuit, |circuit, pass| pass(&circuit).unwrap_or(circuit))
+}

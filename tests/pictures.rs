@@ -1,0 +1,90 @@
+//! SVG pictures as a browser shows them: no text leaves the picture, meets another text or has a
+//! line going through it; they are not blank; they are dark where the reader wants it so.
+
+mod common;
+
+use std::process::Command;
+
+use common::{examples, require_tool};
+use hotrail::draw::{Drawing, Options};
+use hotrail::source::Source;
+
+const LOOK: &str = include_str!("pictures/look.html");
+const EVERY_SHAPE: &str = include_str!("draw/every_shape.ladder");
+
+/// A picture with every fault that is looked for.
+const FAULTY: &str = r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 200 80" width="200" height="80">
+<title>faulty</title><g><path stroke="black" d="M0 20H100"/>
+<text x="10" y="25">crossed</text><text x="10" y="60">first</text><text x="15" y="60">second</text>
+<text x="180" y="60">too far right</text></g></svg>"#;
+
+fn svg(name: &str, text: &str) -> String {
+    let source = Source::new(name, text);
+    Drawing::new(&source, &Options::default()).svg()
+}
+
+/// What the page says of some pictures.
+fn look(pictures: &str, scheme: &str) -> Vec<String> {
+    let folder = tempfile::tempdir().unwrap();
+    let page = folder.path().join("page.html");
+    std::fs::write(&page, LOOK.replace("PICTURES", pictures)).unwrap();
+    let output = Command::new("chromium")
+        .args(["--headless", "--no-sandbox", "--disable-gpu", "--virtual-time-budget=20000"])
+        .args([scheme, "--dump-dom"])
+        .arg(format!("--user-data-dir={}", folder.path().join("profile").display()))
+        .arg(format!("file://{}", page.display()))
+        .output()
+        .expect("chromium can be run");
+    let text = String::from_utf8(output.stdout).unwrap();
+    let result = text.split("<pre id=\"result\">").nth(1).unwrap_or_else(|| panic!("{text}"));
+    let result = result.split("</pre>").next().unwrap();
+    result.lines().filter(|line| !line.is_empty()).map(str::to_owned).collect()
+}
+
+const LIGHT: &str = "--blink-settings=preferredColorScheme=1";
+const DARK: &str = "--blink-settings=preferredColorScheme=0";
+
+#[test]
+fn pictures_look_right_in_a_browser() {
+    if !require_tool("chromium") {
+        return;
+    }
+    let every_shape = svg("every_shape.ladder", EVERY_SHAPE);
+    let mut pictures = every_shape.clone();
+    for example in examples() {
+        let text = std::fs::read_to_string(&example.ladder).unwrap();
+        pictures += &svg(&example.name(), &text);
+    }
+    let count = examples().len() + 1;
+    for (scheme, paper, pictures, count) in
+        [(LIGHT, "rgb(255, 255, 255)", pictures, count), (DARK, "rgb(20, 24, 29)", every_shape, 1)]
+    {
+        let lines = look(&pictures, scheme);
+        assert_eq!(lines.len(), count, "{lines:#?}");
+        for line in lines {
+            let seen = line.strip_prefix("seen ").unwrap_or_else(|| panic!("{line}"));
+            let (_, seen) = seen.split_once(": ").unwrap();
+            let (texts, seen) = seen.split_once(" texts, ").unwrap();
+            let (ink, on) = seen.split_once(" % ink on ").unwrap();
+            assert!(texts.parse::<u32>().unwrap() > 6, "{line}");
+            assert!((1..30).contains(&ink.parse::<u32>().unwrap()), "{line}");
+            assert_eq!(on, paper, "{line}");
+        }
+    }
+}
+
+#[test]
+fn faults_of_a_picture_are_found() {
+    if !require_tool("chromium") {
+        return;
+    }
+    let lines = look(FAULTY, LIGHT);
+    for fault in [
+        "faulty: a line goes through \"crossed\"",
+        "faulty: \"first\" and \"second\" meet",
+        "faulty: \"too far right\" leaves the picture",
+    ] {
+        assert!(lines.iter().any(|line| line == fault), "{fault}: {lines:#?}");
+    }
+    assert_eq!(lines.len(), 4, "{lines:#?}");
+}
