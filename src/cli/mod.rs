@@ -12,6 +12,7 @@ mod fmt;
 mod lints;
 mod new;
 mod report;
+mod rom;
 mod sim;
 mod simulators;
 mod table;
@@ -61,6 +62,7 @@ enum Command {
     Fmt(fmt::Options),
     Equations(equations::Options),
     Draw(draw::Options),
+    Rom(rom::Options),
     Explain(explain::Options),
     Blocks(blocks::Options),
     Completions(completions::Options),
@@ -160,6 +162,7 @@ pub fn run() -> ExitCode {
         Command::Fmt(options) => fmt::run(&options, &mut report),
         Command::Equations(options) => equations::run(&options, &mut report),
         Command::Draw(options) => draw::run(&options, &mut report),
+        Command::Rom(options) => rom::run(&options, &mut report),
         Command::Explain(options) => return exit_code(explain::run(&options)),
         Command::Blocks(options) => return exit_code(blocks::run(&options)),
         Command::Completions(options) => return exit_code(completions::run(&options)),

@@ -10,7 +10,7 @@ mod stimulus;
 mod why;
 
 pub use evaluator::Evaluator;
-pub use expectation::{Failure, conducts, explain, variables_of};
+pub use expectation::{Failure, conducts, explain, variables_of, variables_of_tests};
 pub use machine::{Machine, Row};
 pub use runner::{Outcome, run_test, run_test_on};
 #[cfg(feature = "cli")]
