@@ -132,7 +132,14 @@ impl Build {
         let program = program?;
         let kinds = if self.kinds.is_empty() { &[Emit::Verilog] } else { &self.kinds[..] };
         match Unit::new(&program, &source, &self.options) {
-            Ok(unit) => Some(unit.emit(kinds)),
+            Ok(unit) => match unit.emit(kinds) {
+                Ok(artifacts) => Some(artifacts),
+                Err(findings) => {
+                    let found = |diagnostic| Finding { source: source.clone(), diagnostic };
+                    error.findings.extend(findings.into_iter().map(found));
+                    None
+                }
+            },
             Err(BadOption(problem)) => {
                 error.other.push(format!("{}: {problem}", path.display()));
                 None

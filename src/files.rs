@@ -108,7 +108,7 @@ pub fn write_all(
     for artifact in artifacts {
         let path = folder.join(&artifact.file_name);
         check_target(&path, sources, force)?;
-        staged.push(stage(path, &artifact.text, set_usual_permissions)?);
+        staged.push(stage(path, &artifact.contents, set_usual_permissions)?);
     }
     persist(staged)
 }
@@ -140,7 +140,7 @@ impl NewFile {
         if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
             fs::create_dir_all(folder).map_err(|error| cannot_write(folder, error))?;
         }
-        let staged = stage(path.to_owned(), "", set_usual_permissions)?;
+        let staged = stage(path.to_owned(), b"", set_usual_permissions)?;
         let again = staged.file.as_file().try_clone();
         let out = io::BufWriter::new(again.map_err(|error| cannot_write(path, error))?);
         Ok(NewFile { staged, out })
@@ -176,7 +176,9 @@ pub fn replace_all(files: &[(&Path, String)]) -> Result<(), FileError> {
             let error = FileError::new(code::CANNOT_WRITE, path, "is read-only");
             return Err(error.help("make it writable first"));
         }
-        staged.push(stage(path.to_path_buf(), text, |file| file.set_permissions(permissions))?);
+        staged.push(stage(path.to_path_buf(), text.as_bytes(), |file| {
+            file.set_permissions(permissions)
+        })?);
     }
     persist(staged)
 }
@@ -191,10 +193,10 @@ struct Staged {
     path: PathBuf,
 }
 
-/// Writes a text to a new file beside the one that it is to replace.
+/// Writes a new file beside the one that it is to replace.
 fn stage(
     path: PathBuf,
-    text: &str,
+    contents: &[u8],
     set_permissions: impl FnOnce(&fs::File) -> io::Result<()>,
 ) -> Result<Staged, FileError> {
     let folder = match path.parent() {
@@ -203,7 +205,7 @@ fn stage(
     };
     let write = || -> io::Result<tempfile::NamedTempFile> {
         let mut file = tempfile::Builder::new().prefix(".hotrail-").tempfile_in(folder)?;
-        file.write_all(text.as_bytes())?;
+        file.write_all(contents)?;
         set_permissions(file.as_file())?;
         Ok(file)
     };

@@ -69,6 +69,22 @@ fn a_file_larger_than_allowed_is_one_finding_in_every_form() {
 }
 
 #[test]
+fn a_wrapper_with_an_inexact_tick_is_remarked() {
+    let folder = Folder::new();
+    folder.write("good.ladder", GOOD);
+    let build = |arguments: &[&str]| {
+        let run = folder.run(&[&["build", "good.ladder", "-o", "out"], arguments].concat());
+        assert_eq!(run.code, 0, "{}", run.err);
+        run.err
+    };
+    let said = "good.ladder: the wrapper makes the tick every 33 clocks of 32768 Hz, \
+                wanted every 1 ms, error +7080.078 ppm";
+    assert_eq!(build(&["--emit", "wrapper", "--clock", "32768Hz"]), format!("note: {said}\n"));
+    assert_eq!(build(&["--emit", "wrapper", "--clock", "50MHz"]), "");
+    assert_eq!(build(&["--emit", "verilog", "--clock", "32768Hz"]), "");
+}
+
+#[test]
 fn findings_have_three_forms() {
     let folder = Folder::new();
     folder.write("bad.ladder", "ladder bad\noutput y\nrung nobody (y)\n");

@@ -161,7 +161,8 @@ impl<'p> Machine<'p> {
 #[test]
 fn the_document_computes_what_the_program_does() {
     let mut programs = 0;
-    for seed in 0..amount("HOTRAIL_RANDOM_PROGRAMS", 1000).min(2000) {
+    let seeds = amount("HOTRAIL_RANDOM_PROGRAMS", 1000).min(2000);
+    for seed in 0..seeds {
         let text = generate::program(seed);
         let program = analyze(&text);
         if !program.instances.is_empty() {
@@ -191,7 +192,7 @@ fn the_document_computes_what_the_program_does() {
             }
         }
     }
-    assert!(programs > 100, "{programs}");
+    assert!(programs * 10 > seeds, "{programs} of {seeds}");
 }
 
 const MANY_THINGS: &str = "ladder demo

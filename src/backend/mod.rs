@@ -5,9 +5,11 @@ pub mod processor;
 #[cfg(feature = "cli")]
 mod vcd;
 
+use std::borrow::Cow;
 use std::fmt;
 
 use crate::circuit::{Design, Valid};
+use crate::diagnostic::Diagnostic;
 use crate::draw::{self, Drawing};
 use crate::expand;
 use crate::model::{Program, Role, VariableId};
@@ -15,6 +17,7 @@ use crate::quantity;
 use crate::source::Source;
 use hdl::testbench::{self, Shown};
 use hdl::{Board, Language, ResetStyle};
+use processor::{Form, Image, Part};
 
 #[cfg(feature = "cli")]
 pub use vcd::Vcd;
@@ -33,8 +36,20 @@ pub fn bears_header(text: &str) -> bool {
 pub struct Artifact {
     /// Its name, without folders.
     pub file_name: String,
-    /// What stands in it.
-    pub text: String,
+    /// What stands in it: UTF-8 text in every kind but a binary image.
+    pub contents: Vec<u8>,
+}
+
+impl Artifact {
+    /// A file of text.
+    pub fn of_text(file_name: String, text: String) -> Artifact {
+        Artifact { file_name, contents: text.into_bytes() }
+    }
+
+    /// What stands in it, as text for people.
+    pub fn text(&self) -> Cow<'_, str> {
+        String::from_utf8_lossy(&self.contents)
+    }
 }
 
 /// What can be made of a program. A testbench and a wrapper are made in each language that is
@@ -51,6 +66,11 @@ pub enum Emit {
     Wrapper,
     /// The ladder as a picture: `NAME.svg`.
     Svg,
+    /// The image of the ladder processor: code, registers and bits at reset, such as `NAME.hex`,
+    /// `NAME_regs.hex` and `NAME_image.hex`.
+    Rom(Form),
+    /// The words of that image for people: `NAME.lst`.
+    Listing,
 }
 
 /// How a program is built.
@@ -111,8 +131,16 @@ impl<'a> Unit<'a> {
         })
     }
 
+    /// How a wrapper makes the tick, where the clock is no whole number of ticks.
+    pub fn inexact_tick(&self) -> Option<String> {
+        (self.board.prescaler().error_ppb != 0).then(|| self.board.tick_made())
+    }
+
     /// The files of these kinds, each once.
-    pub fn emit(&self, kinds: &[Emit]) -> Vec<Artifact> {
+    ///
+    /// # Errors
+    /// What the target of one of them cannot do.
+    pub fn emit(&self, kinds: &[Emit]) -> Result<Vec<Artifact>, Vec<Diagnostic>> {
         let asked = |(emit, _): &(Emit, Language)| kinds.contains(emit);
         let mut languages: Vec<Language> =
             [(Emit::Verilog, Language::Verilog), (Emit::Vhdl, Language::Vhdl)]
@@ -136,7 +164,37 @@ impl<'a> Unit<'a> {
         if kinds.contains(&Emit::Svg) {
             artifacts.push(drawing(&Drawing::new(self.source, &draw::Options::default())));
         }
-        artifacts
+        if kinds.iter().any(|kind| matches!(kind, Emit::Rom(_) | Emit::Listing)) {
+            let image = processor::compile_observing(self.program, &self.observed)?;
+            artifacts.extend(self.memories(&image, kinds));
+            if kinds.contains(&Emit::Listing) {
+                artifacts.push(self.listing(&image));
+            }
+        }
+        Ok(artifacts)
+    }
+
+    /// What the memories of the ladder processor hold, in each form that is asked for.
+    fn memories(&self, image: &Image, kinds: &[Emit]) -> Vec<Artifact> {
+        let comments = [hdl::header(&self.print).to_string(), processor::parameters(&image.rom)];
+        let forms = Form::ALL.into_iter().filter(|form| kinds.contains(&Emit::Rom(*form)));
+        let files = forms.flat_map(|form| Part::ALL.map(|part| (form, part)));
+        files
+            .map(|(form, part)| Artifact {
+                file_name: format!("{}{}.{}", self.program.name, part.suffix(), form.extension()),
+                contents: image.rom.memory(part).write(form, &comments),
+            })
+            .collect()
+    }
+
+    fn listing(&self, image: &Image) -> Artifact {
+        let text = format!(
+            "// {}\n// {}\n\n{}",
+            hdl::header(&self.print),
+            processor::parameters(&image.rom),
+            image.listing(self.program, self.source.file_name()),
+        );
+        Artifact::of_text(format!("{}.lst", self.program.name), text)
     }
 
     fn core(&self, language: Language) -> Artifact {
@@ -157,13 +215,13 @@ impl<'a> Unit<'a> {
 
     fn artifact(&self, suffix: &str, language: Language, text: String) -> Artifact {
         let file_name = format!("{}{suffix}.{}", self.program.name, language.extension());
-        Artifact { file_name, text }
+        Artifact::of_text(file_name, text)
     }
 }
 
 /// A ladder as an SVG picture: `NAME.svg`.
 pub fn drawing(drawing: &Drawing) -> Artifact {
-    Artifact { file_name: format!("{}.svg", drawing.name), text: drawing.svg() }
+    Artifact::of_text(format!("{}.svg", drawing.name), drawing.svg())
 }
 
 fn observed(program: &Program, names: &[String]) -> Result<Vec<VariableId>, BadOption> {

@@ -8,6 +8,7 @@ use clap::ValueEnum;
 use similar::TextDiff;
 
 use hotrail::backend::hdl::ResetStyle;
+use hotrail::backend::processor::Form;
 use hotrail::backend::{self, Artifact, Emit, Unit};
 use hotrail::files;
 use hotrail::quantity;
@@ -66,6 +67,18 @@ enum EmitKind {
     Wrapper,
     /// The ladder as a picture
     Svg,
+    /// The image of the ladder processor for $readmemh
+    Rom,
+    /// The same as Intel HEX
+    Ihex,
+    /// The same as Xilinx COE
+    Coe,
+    /// The same as Altera MIF
+    Mif,
+    /// The same as bare bytes
+    Bin,
+    /// The words of that image with their rungs and names
+    Listing,
 }
 
 impl EmitKind {
@@ -76,6 +89,12 @@ impl EmitKind {
             EmitKind::Testbench => Emit::Testbench,
             EmitKind::Wrapper => Emit::Wrapper,
             EmitKind::Svg => Emit::Svg,
+            EmitKind::Rom => Emit::Rom(Form::Hex),
+            EmitKind::Ihex => Emit::Rom(Form::IntelHex),
+            EmitKind::Coe => Emit::Rom(Form::Coe),
+            EmitKind::Mif => Emit::Rom(Form::Mif),
+            EmitKind::Bin => Emit::Rom(Form::Binary),
+            EmitKind::Listing => Emit::Listing,
         }
     }
 }
@@ -149,7 +168,16 @@ fn compile(
     let unit = Unit::new(&program, &source, &backend_options)
         .with_context(|| path.display().to_string())?;
     let kinds: Vec<Emit> = options.emit.iter().map(|kind| kind.emit()).collect();
-    Ok(Some(unit.emit(&kinds)))
+    if let Some(made) = unit.inexact_tick().filter(|_| kinds.contains(&Emit::Wrapper)) {
+        report.remark(&format!("{}: the wrapper makes the tick {made}", path.display()));
+    }
+    match unit.emit(&kinds) {
+        Ok(artifacts) => Ok(Some(artifacts)),
+        Err(findings) => {
+            report.findings(&findings, &source);
+            Ok(None)
+        }
+    }
 }
 
 /// Shows what differs between the artifacts and the files in the folder.
@@ -158,14 +186,15 @@ fn compare(folder: &Path, artifacts: &[Artifact], report: &Report) -> anyhow::Re
     for artifact in artifacts {
         let path = folder.join(&artifact.file_name);
         let found = match fs::read(&path) {
-            Ok(bytes) => String::from_utf8_lossy(&bytes).into_owned(),
-            Err(error) if error.kind() == std::io::ErrorKind::NotFound => String::new(),
+            Ok(bytes) => bytes,
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => Vec::new(),
             Err(error) => return Err(error).with_context(|| path.display().to_string()),
         };
-        if found != artifact.text {
+        if found != artifact.contents {
             verdict = Verdict::Bad;
             let name = path.display().to_string();
-            let diff = TextDiff::from_lines(&found, &artifact.text);
+            let (found, built) = (String::from_utf8_lossy(&found), artifact.text());
+            let diff = TextDiff::from_lines(&*found, &*built);
             let diff = diff.unified_diff().header(&name, "as built now").to_string();
             report.result(&diff);
         }

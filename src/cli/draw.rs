@@ -101,7 +101,7 @@ pub fn run(options: &Options, report: &mut Report) -> anyhow::Result<Verdict> {
         Some(folder) => {
             files::write_all(folder, &artifacts, &options.sources.files, options.force)?;
         }
-        None => artifacts.iter().for_each(|picture| report.result(&picture.text)),
+        None => artifacts.iter().for_each(|picture| report.result(&picture.text())),
     }
     Ok(Verdict::Good)
 }

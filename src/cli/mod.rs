@@ -12,10 +12,12 @@ mod fmt;
 mod lints;
 mod new;
 mod report;
+mod rom;
 mod sim;
 mod simulators;
 mod table;
 mod test;
+mod why;
 
 use std::io::IsTerminal;
 use std::path::PathBuf;
@@ -56,9 +58,11 @@ enum Command {
     Build(build::Options),
     Test(test::Options),
     Sim(sim::Options),
+    Why(why::Options),
     Fmt(fmt::Options),
     Equations(equations::Options),
     Draw(draw::Options),
+    Rom(rom::Options),
     Explain(explain::Options),
     Blocks(blocks::Options),
     Completions(completions::Options),
@@ -154,9 +158,11 @@ pub fn run() -> ExitCode {
         Command::Build(options) => build::run(&options, &mut report),
         Command::Test(options) => test::run(&options, &mut report),
         Command::Sim(options) => sim::run(&options, &mut report),
+        Command::Why(options) => why::run(&options, &mut report),
         Command::Fmt(options) => fmt::run(&options, &mut report),
         Command::Equations(options) => equations::run(&options, &mut report),
         Command::Draw(options) => draw::run(&options, &mut report),
+        Command::Rom(options) => rom::run(&options, &mut report),
         Command::Explain(options) => return exit_code(explain::run(&options)),
         Command::Blocks(options) => return exit_code(blocks::run(&options)),
         Command::Completions(options) => return exit_code(completions::run(&options)),

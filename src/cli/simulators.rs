@@ -38,8 +38,9 @@ pub fn run_tests(
         Simulator::Ghdl => Emit::Vhdl,
     };
     let mut files = Vec::new();
-    for artifact in unit.emit(&[core, Emit::Testbench]) {
-        fs::write(folder.path().join(&artifact.file_name), &artifact.text)?;
+    let made = unit.emit(&[core, Emit::Testbench]).expect("the languages can do every program");
+    for artifact in made {
+        fs::write(folder.path().join(&artifact.file_name), &artifact.contents)?;
         files.push(artifact.file_name);
     }
     let bench = testbench::name(program);

@@ -7,6 +7,7 @@ use anyhow::bail;
 use clap::ValueEnum;
 
 use hotrail::backend::hdl::Harmless;
+use hotrail::backend::processor::{self, Runner};
 use hotrail::diagnostic::{Diagnostic, code};
 use hotrail::eval::{self, Evaluator, Failure, Outcome};
 use hotrail::lint;
@@ -22,7 +23,7 @@ use super::{Sources, Verdict};
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   hotrail test conveyor.ladder
-  hotrail test conveyor.ladder --on evaluator,icarus,ghdl --filter emergency
+  hotrail test conveyor.ladder --on evaluator,processor,icarus,ghdl --filter emergency
   hotrail test conveyor.ladder --vcd waves")]
 pub struct Options {
     #[command(flatten)]
@@ -43,6 +44,8 @@ pub struct Options {
 enum Executor {
     /// The built-in reference evaluator
     Evaluator,
+    /// The emulator of the ladder processor, on its image
+    Processor,
     /// Icarus Verilog, on the emitted Verilog
     Icarus,
     /// GHDL, on the emitted VHDL
@@ -53,6 +56,7 @@ impl Executor {
     fn name(self) -> &'static str {
         match self {
             Executor::Evaluator => "evaluator",
+            Executor::Processor => "processor",
             Executor::Icarus => "icarus",
             Executor::Ghdl => "ghdl",
         }
@@ -77,6 +81,14 @@ pub fn run(options: &Options, report: &mut Report) -> anyhow::Result<Verdict> {
         for &executor in &options.on {
             let outcomes = match (executor, &options.vcd) {
                 (Executor::Evaluator, Some(folder)) => dump(&program, path, folder, &mut dumped)?,
+                (Executor::Processor, _) => match emulate(&program) {
+                    Ok(outcomes) => outcomes,
+                    Err(findings) => {
+                        report.findings(&findings, &source);
+                        verdict = Verdict::Bad;
+                        continue;
+                    }
+                },
                 _ => execute(executor, &program, &source)?,
             };
             let failed = show(executor, &program, &source, &outcomes, filtered_out, report);
@@ -111,6 +123,14 @@ fn dump(
     Ok(outcomes)
 }
 
+/// Runs the tests on the ladder processor, with the members that they read in its image.
+fn emulate(program: &Program) -> Result<Vec<Outcome>, Vec<Diagnostic>> {
+    let image = processor::compile_observing(program, &eval::variables_of_tests(program))?;
+    let mut runner = Runner::new(program, &image);
+    let run = |test| eval::run_test_on(&mut runner, program, test);
+    Ok(program.tests.iter().map(run).collect())
+}
+
 /// How each test of the program ended.
 fn execute(executor: Executor, program: &Program, source: &Source) -> anyhow::Result<Vec<Outcome>> {
     let simulator = match executor {
@@ -118,6 +138,7 @@ fn execute(executor: Executor, program: &Program, source: &Source) -> anyhow::Re
             let run = |test| eval::run_test(program, test);
             return Ok(program.tests.iter().map(run).collect());
         }
+        Executor::Processor => unreachable!("it needs no simulator"),
         Executor::Icarus => Simulator::Icarus,
         Executor::Ghdl => Simulator::Ghdl,
     };

@@ -1,6 +1,8 @@
 //! Why an expectation does not hold: the contact that does not conduct, with its value.
 
-use crate::model::{Element, Expect, Expr, ExprKind, Place, Program, Series, Variable, VariableId};
+use crate::model::{
+    Element, Expect, Expr, ExprKind, Place, Program, Series, Statement, Variable, VariableId,
+};
 use crate::source::Span;
 use crate::types::Type;
 
@@ -39,6 +41,25 @@ pub fn variables_of(network: &Series) -> Vec<VariableId> {
     network.iter().for_each(|element| element_variables(element, &mut all));
     let mut seen = std::collections::HashSet::new();
     all.retain(|&variable| seen.insert(variable));
+    all
+}
+
+/// The variables that the expectations of a program read, in text order.
+pub fn variables_of_tests(program: &Program) -> Vec<VariableId> {
+    fn walk(statements: &[Statement], all: &mut Vec<VariableId>) {
+        for statement in statements {
+            match statement {
+                Statement::Expect(expect) => all.extend(variables_of(&expect.network)),
+                Statement::Repeat(_, statements) => walk(statements, all),
+                Statement::Drive(..)
+                | Statement::Scan(_)
+                | Statement::Wait(_)
+                | Statement::Reset => {}
+            }
+        }
+    }
+    let mut all = Vec::new();
+    program.tests.iter().for_each(|test| walk(&test.statements, &mut all));
     all
 }
 

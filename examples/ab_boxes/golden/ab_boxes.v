@@ -27,11 +27,11 @@ module ab_boxes_AB_TOF_BASE1_PRE100 (
   reg was = 1'b0;
 
   wire condition = ~power;
-  wire less = $signed(ACC_before) < 16'sd32767;
-  wire [15:0] sum = ACC_before + {15'b0, condition & ~was & DN_reg & tick & less};
-  wire less_2 = $signed(sum) < 16'sd100;
+  wire unequal = ACC_before != 16'd32767;
+  wire [15:0] sum = ACC_before + {15'b0, condition & ~was & DN_reg & tick & unequal};
+  wire less = $signed(sum) < 16'sd100;
   wire [15:0] ACC_value = power ? 16'd0 : sum;
-  wire DN_next = power | DN_reg & less_2;
+  wire DN_next = power | DN_reg & less;
 
   assign ACC = ACC_value;
   assign TT = condition & DN_next;
@@ -109,9 +109,8 @@ module ab_boxes (
   reg [15:0] boxes_ACC = 16'd0;
   reg boxes_was_up = 1'b1;
   reg boxes_was_down = 1'b1;
-  reg unloading = 1'b0;
-  reg conveyor_2_reg = 1'b0;
   reg conveyor_3_reg = 1'b0;
+  reg conveyor_2_reg = 1'b0;
 
   // rung 1 "PE_1_Timer: a box moves on for a second after the eye", ab_boxes.ladder:14
   wire [15:0] pe_1_timer_ACC_2;
@@ -159,7 +158,7 @@ module ab_boxes (
   );
 
   // rung 6 "four are a group, once the last one is in its place", ab_boxes.ladder:29
-  wire unloading_rung6 = boxes_AB_CTD_DN & ~pe_1_timer_DN | unloading;
+  wire unloading_rung6 = boxes_AB_CTD_DN & ~pe_1_timer_DN | conveyor_3_reg;
 
   // rung 7 "until the last one has gone", ab_boxes.ladder:32
   wire rung7_at_most = $signed(boxes_AB_CTD_ACC) <= 16'sd0;
@@ -169,13 +168,12 @@ module ab_boxes (
   wire [15:0] boxes_ACC_next = emptied ? 16'd0 : boxes_AB_CTD_ACC;
   wire boxes_was_up_next = ~emptied & boxes_was_up_2;
   wire boxes_was_down_next = ~emptied & boxes_AB_CTD_was_down;
-  wire unloading_next = unloading_rung7 & ~emptied;
+  wire conveyor_3_next = unloading_rung7 & ~emptied;
 
   // rung 9 "conveyor 2", ab_boxes.ladder:37
-  wire conveyor_2_next = pe_1_timer_DN | unloading_next;
+  wire conveyor_2_next = pe_1_timer_DN | conveyor_3_next;
 
   // rung 10 "conveyor 3", ab_boxes.ladder:40
-  wire conveyor_3_next = unloading_next;
 
   assign conveyor_1 = conveyor_1_reg;
   assign conveyor_2 = conveyor_2_reg;
@@ -190,9 +188,8 @@ module ab_boxes (
       boxes_ACC <= 16'd0;
       boxes_was_up <= 1'b1;
       boxes_was_down <= 1'b1;
-      unloading <= 1'b0;
-      conveyor_2_reg <= 1'b0;
       conveyor_3_reg <= 1'b0;
+      conveyor_2_reg <= 1'b0;
     end else begin
       pe_1_timer_ACC <= pe_1_timer_ACC_2;
       power_before <= pe_1_timer_TT;
@@ -201,9 +198,8 @@ module ab_boxes (
       boxes_ACC <= boxes_ACC_next;
       boxes_was_up <= boxes_was_up_next;
       boxes_was_down <= boxes_was_down_next;
-      unloading <= unloading_next;
-      conveyor_2_reg <= conveyor_2_next;
       conveyor_3_reg <= conveyor_3_next;
+      conveyor_2_reg <= conveyor_2_next;
     end
   end
 endmodule

@@ -29,18 +29,19 @@ architecture rtl of ab_boxes_AB_TOF_BASE1_PRE100 is
   signal DN_reg : std_logic := '0';
   signal was : std_logic := '0';
   signal condition : std_logic;
-  signal less : std_logic;
+  signal unequal : std_logic;
   signal sum : unsigned(15 downto 0);
-  signal less_2 : std_logic;
+  signal less : std_logic;
   signal ACC_value : unsigned(15 downto 0);
   signal DN_next : std_logic;
 begin
   condition <= not power;
-  less <= '1' when signed(ACC_before) < 32767 else '0';
-  sum <= ACC_before + (to_unsigned(0, 15) & (condition and not was and DN_reg and tick and less));
-  less_2 <= '1' when signed(sum) < 100 else '0';
+  unequal <= '1' when ACC_before /= 32767 else '0';
+  sum <=
+      ACC_before + (to_unsigned(0, 15) & (condition and not was and DN_reg and tick and unequal));
+  less <= '1' when signed(sum) < 100 else '0';
   ACC_value <= to_unsigned(0, 16) when power = '1' else sum;
-  DN_next <= power or (DN_reg and less_2);
+  DN_next <= power or (DN_reg and less);
 
   ACC <= ACC_value;
   TT <= condition and DN_next;
@@ -149,9 +150,8 @@ architecture rtl of ab_boxes is
   signal boxes_ACC : unsigned(15 downto 0) := (others => '0');
   signal boxes_was_up : std_logic := '1';
   signal boxes_was_down : std_logic := '1';
-  signal unloading : std_logic := '0';
-  signal conveyor_2_reg : std_logic := '0';
   signal conveyor_3_reg : std_logic := '0';
+  signal conveyor_2_reg : std_logic := '0';
   signal pe_1_timer_ACC_2 : unsigned(15 downto 0);
   signal pe_1_timer_TT : std_logic;
   signal pe_1_timer_DN : std_logic;
@@ -168,9 +168,8 @@ architecture rtl of ab_boxes is
   signal boxes_ACC_next : unsigned(15 downto 0);
   signal boxes_was_up_next : std_logic;
   signal boxes_was_down_next : std_logic;
-  signal unloading_next : std_logic;
-  signal conveyor_2_next : std_logic;
   signal conveyor_3_next : std_logic;
+  signal conveyor_2_next : std_logic;
 begin
 
   -- rung 1 "PE_1_Timer: a box moves on for a second after the eye", ab_boxes.ladder:14
@@ -214,7 +213,7 @@ begin
     );
 
   -- rung 6 "four are a group, once the last one is in its place", ab_boxes.ladder:29
-  unloading_rung6 <= (boxes_AB_CTD_DN and not pe_1_timer_DN) or unloading;
+  unloading_rung6 <= (boxes_AB_CTD_DN and not pe_1_timer_DN) or conveyor_3_reg;
 
   -- rung 7 "until the last one has gone", ab_boxes.ladder:32
   rung7_at_most <= '1' when signed(boxes_AB_CTD_ACC) <= 0 else '0';
@@ -224,13 +223,12 @@ begin
   boxes_ACC_next <= to_unsigned(0, 16) when emptied = '1' else boxes_AB_CTD_ACC;
   boxes_was_up_next <= not emptied and boxes_was_up_2;
   boxes_was_down_next <= not emptied and boxes_AB_CTD_was_down;
-  unloading_next <= unloading_rung7 and not emptied;
+  conveyor_3_next <= unloading_rung7 and not emptied;
 
   -- rung 9 "conveyor 2", ab_boxes.ladder:37
-  conveyor_2_next <= pe_1_timer_DN or unloading_next;
+  conveyor_2_next <= pe_1_timer_DN or conveyor_3_next;
 
   -- rung 10 "conveyor 3", ab_boxes.ladder:40
-  conveyor_3_next <= unloading_next;
 
   conveyor_1 <= conveyor_1_reg;
   conveyor_2 <= conveyor_2_reg;
@@ -247,9 +245,8 @@ begin
         boxes_ACC <= (others => '0');
         boxes_was_up <= '1';
         boxes_was_down <= '1';
-        unloading <= '0';
-        conveyor_2_reg <= '0';
         conveyor_3_reg <= '0';
+        conveyor_2_reg <= '0';
       else
         pe_1_timer_ACC <= pe_1_timer_ACC_2;
         power_before <= pe_1_timer_TT;
@@ -258,9 +255,8 @@ begin
         boxes_ACC <= boxes_ACC_next;
         boxes_was_up <= boxes_was_up_next;
         boxes_was_down <= boxes_was_down_next;
-        unloading <= unloading_next;
-        conveyor_2_reg <= conveyor_2_next;
         conveyor_3_reg <= conveyor_3_next;
+        conveyor_2_reg <= conveyor_2_next;
       end if;
     end if;
   end process;

@@ -28,11 +28,11 @@ module ab_boxes_test_AB_TOF_BASE1_PRE100 (
   reg was = 1'b0;
 
   wire condition = ~power;
-  wire less = $signed(ACC_before) < 16'sd32767;
-  wire [15:0] sum = ACC_before + {15'b0, condition & ~was & DN_reg & tick & less};
-  wire less_2 = $signed(sum) < 16'sd100;
+  wire unequal = ACC_before != 16'd32767;
+  wire [15:0] sum = ACC_before + {15'b0, condition & ~was & DN_reg & tick & unequal};
+  wire less = $signed(sum) < 16'sd100;
   wire [15:0] ACC_value = power ? 16'd0 : sum;
-  wire DN_next = power | DN_reg & less_2;
+  wire DN_next = power | DN_reg & less;
 
   assign ACC = ACC_value;
   assign TT = condition & DN_next;

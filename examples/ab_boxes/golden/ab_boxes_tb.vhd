@@ -32,18 +32,19 @@ architecture rtl of ab_boxes_test_AB_TOF_BASE1_PRE100 is
   signal DN_reg : std_logic := '0';
   signal was : std_logic := '0';
   signal condition : std_logic;
-  signal less : std_logic;
+  signal unequal : std_logic;
   signal sum : unsigned(15 downto 0);
-  signal less_2 : std_logic;
+  signal less : std_logic;
   signal ACC_value : unsigned(15 downto 0);
   signal DN_next : std_logic;
 begin
   condition <= not power;
-  less <= '1' when signed(ACC_before) < 32767 else '0';
-  sum <= ACC_before + (to_unsigned(0, 15) & (condition and not was and DN_reg and tick and less));
-  less_2 <= '1' when signed(sum) < 100 else '0';
+  unequal <= '1' when ACC_before /= 32767 else '0';
+  sum <=
+      ACC_before + (to_unsigned(0, 15) & (condition and not was and DN_reg and tick and unequal));
+  less <= '1' when signed(sum) < 100 else '0';
   ACC_value <= to_unsigned(0, 16) when power = '1' else sum;
-  DN_next <= power or (DN_reg and less_2);
+  DN_next <= power or (DN_reg and less);
 
   ACC <= ACC_value;
   TT <= condition and DN_next;

@@ -91,22 +91,29 @@ module ab_counters_CTU_PV99 (
   input  wire R,
   output wire Q
 );
-  reg [15:0] CV = 16'd0;
+  reg [6:0] CV = 7'd0;
   reg was = 1'b0;
+  reg CV_is_99 = 1'b0;
 
-  wire unequal = CV != 16'd32767;
-  wire [15:0] sum = CV + {15'b0, power & ~was & unequal};
-  wire [15:0] CV_next = R ? 16'd0 : sum;
+  wire condition = power & ~was & ~CV_is_99;
+  wire [6:0] sum = CV + 7'd1;
+  wire [6:0] choice = condition ? sum : CV;
+  wire [6:0] CV_next = R ? 7'd0 : choice;
+  wire equal = CV == 7'h62;
+  wire choice_2 = condition ? equal : CV_is_99;
+  wire CV_is_99_next = R ? 1'b0 : choice_2;
 
-  assign Q = $signed(CV_next) >= 16'sd99;
+  assign Q = CV_is_99_next;
 
   always @(posedge clk) begin
     if (rst) begin
-      CV <= 16'd0;
+      CV <= 7'd0;
       was <= 1'b0;
+      CV_is_99 <= 1'b0;
     end else begin
       CV <= CV_next;
       was <= power;
+      CV_is_99 <= CV_is_99_next;
     end
   end
 endmodule
@@ -124,22 +131,29 @@ module ab_counters_CTD_PV50 (
   input  wire LD,
   output wire Q
 );
-  reg [15:0] CV = 16'd50;
+  reg [5:0] CV = 6'h32;
   reg was = 1'b0;
+  reg CV_is_0 = 1'b0;
 
-  wire greater = $signed(CV) > 16'sh8000;
-  wire [15:0] difference = CV - {15'b0, power & ~was & greater};
-  wire [15:0] CV_next = LD ? 16'd50 : difference;
+  wire condition = power & ~was & ~CV_is_0;
+  wire [5:0] difference = CV - 6'd1;
+  wire [5:0] choice = condition ? difference : CV;
+  wire [5:0] CV_next = LD ? 6'h32 : choice;
+  wire equal = CV == 6'd1;
+  wire choice_2 = condition ? equal : CV_is_0;
+  wire CV_is_0_next = LD ? 1'b0 : choice_2;
 
-  assign Q = $signed(CV_next) <= 16'sd0;
+  assign Q = CV_is_0_next;
 
   always @(posedge clk) begin
     if (rst) begin
-      CV <= 16'd50;
+      CV <= 6'h32;
       was <= 1'b0;
+      CV_is_0 <= 1'b0;
     end else begin
       CV <= CV_next;
       was <= power;
+      CV_is_0 <= CV_is_0_next;
     end
   end
 endmodule
@@ -164,14 +178,13 @@ module ab_counters (
   reg [15:0] c5_1_ACC = 16'd50;
   reg c5_1_was_down = 1'b1;
   reg [15:0] c5_2_ACC = 16'd0;
-  reg c5_2_OV = 1'b0;
+  reg overflow_reg = 1'b0;
   reg c5_2_UN = 1'b0;
   reg c5_2_was_up = 1'b1;
   reg up_done_reg = 1'b0;
   reg down_done_reg = 1'b0;
   reg siemens_up_done_reg = 1'b0;
   reg siemens_down_done_reg = 1'b0;
-  reg overflow_reg = 1'b0;
 
   // rung 1 "C5:0 up to 99", ab_counters.ladder:12
   wire [15:0] c5_0_ACC_2;
@@ -215,17 +228,17 @@ module ab_counters (
 
   // rung 7 "C5:2 for the end of the range; CTU stops at 32767", ab_counters.ladder:27
   wire [15:0] c5_2_ACC_2;
-  wire c5_2_OV_2;
+  wire c5_2_OV;
   wire c5_2_UN_2;
   wire c5_2_was_up_2;
   ab_counters_AB_CTU_PRE99_2 c5_2 (
     .power(count_up),
     .ACC_before(c5_2_ACC),
-    .OV_before(c5_2_OV),
+    .OV_before(overflow_reg),
     .UN_before(c5_2_UN),
     .was_up_before(c5_2_was_up),
     .ACC(c5_2_ACC_2),
-    .OV(c5_2_OV_2),
+    .OV(c5_2_OV),
     .UN(c5_2_UN_2),
     .was_up(c5_2_was_up_2)
   );
@@ -235,7 +248,7 @@ module ab_counters (
 
   // rung 9, ab_counters.ladder:32
   wire [15:0] c5_2_ACC_next = reset_up ? 16'd0 : c5_2_ACC_rung8;
-  wire overflow_next = ~reset_up & c5_2_OV_2;
+  wire overflow_next = ~reset_up & c5_2_OV;
   wire c5_2_UN_next = ~reset_up & c5_2_UN_2;
   wire c5_2_was_up_next = ~reset_up & c5_2_was_up_2;
 
@@ -276,28 +289,26 @@ module ab_counters (
       c5_1_ACC <= 16'd50;
       c5_1_was_down <= 1'b1;
       c5_2_ACC <= 16'd0;
-      c5_2_OV <= 1'b0;
+      overflow_reg <= 1'b0;
       c5_2_UN <= 1'b0;
       c5_2_was_up <= 1'b1;
       up_done_reg <= 1'b0;
       down_done_reg <= 1'b0;
       siemens_up_done_reg <= 1'b0;
       siemens_down_done_reg <= 1'b0;
-      overflow_reg <= 1'b0;
     end else begin
       c5_0_ACC <= c5_0_ACC_next;
       c5_0_was_up <= c5_0_was_up_next;
       c5_1_ACC <= c5_1_ACC_next;
       c5_1_was_down <= c5_1_was_down_next;
       c5_2_ACC <= c5_2_ACC_next;
-      c5_2_OV <= overflow_next;
+      overflow_reg <= overflow_next;
       c5_2_UN <= c5_2_UN_next;
       c5_2_was_up <= c5_2_was_up_next;
       up_done_reg <= up_done_next;
       down_done_reg <= down_done_next;
       siemens_up_done_reg <= siemens_up_done_next;
       siemens_down_done_reg <= siemens_down_done_next;
-      overflow_reg <= overflow_next;
     end
   end
 

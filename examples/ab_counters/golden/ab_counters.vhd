@@ -127,17 +127,26 @@ entity ab_counters_CTU_PV99 is
 end entity ab_counters_CTU_PV99;
 
 architecture rtl of ab_counters_CTU_PV99 is
-  signal CV : unsigned(15 downto 0) := (others => '0');
+  signal CV : unsigned(6 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal unequal : std_logic;
-  signal sum : unsigned(15 downto 0);
-  signal CV_next : unsigned(15 downto 0);
+  signal CV_is_99 : std_logic := '0';
+  signal condition : std_logic;
+  signal sum : unsigned(6 downto 0);
+  signal choice : unsigned(6 downto 0);
+  signal CV_next : unsigned(6 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
+  signal CV_is_99_next : std_logic;
 begin
-  unequal <= '1' when CV /= 32767 else '0';
-  sum <= CV + (to_unsigned(0, 15) & (power and not was and unequal));
-  CV_next <= to_unsigned(0, 16) when R = '1' else sum;
+  condition <= power and not was and not CV_is_99;
+  sum <= CV + 1;
+  choice <= sum when condition = '1' else CV;
+  CV_next <= to_unsigned(0, 7) when R = '1' else choice;
+  equal <= '1' when CV = 98 else '0';
+  choice_2 <= equal when condition = '1' else CV_is_99;
+  CV_is_99_next <= '0' when R = '1' else choice_2;
 
-  Q <= '1' when signed(CV_next) >= 99 else '0';
+  Q <= CV_is_99_next;
 
   process (clk)
   begin
@@ -145,9 +154,11 @@ begin
       if rst = '1' then
         CV <= (others => '0');
         was <= '0';
+        CV_is_99 <= '0';
       else
         CV <= CV_next;
         was <= power;
+        CV_is_99 <= CV_is_99_next;
       end if;
     end if;
   end process;
@@ -174,27 +185,38 @@ entity ab_counters_CTD_PV50 is
 end entity ab_counters_CTD_PV50;
 
 architecture rtl of ab_counters_CTD_PV50 is
-  signal CV : unsigned(15 downto 0) := to_unsigned(50, 16);
+  signal CV : unsigned(5 downto 0) := "110010";
   signal was : std_logic := '0';
-  signal greater : std_logic;
-  signal difference : unsigned(15 downto 0);
-  signal CV_next : unsigned(15 downto 0);
+  signal CV_is_0 : std_logic := '0';
+  signal condition : std_logic;
+  signal difference : unsigned(5 downto 0);
+  signal choice : unsigned(5 downto 0);
+  signal CV_next : unsigned(5 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
+  signal CV_is_0_next : std_logic;
 begin
-  greater <= '1' when signed(CV) > -32768 else '0';
-  difference <= CV - (to_unsigned(0, 15) & (power and not was and greater));
-  CV_next <= to_unsigned(50, 16) when LD = '1' else difference;
+  condition <= power and not was and not CV_is_0;
+  difference <= CV - 1;
+  choice <= difference when condition = '1' else CV;
+  CV_next <= "110010" when LD = '1' else choice;
+  equal <= '1' when CV = 1 else '0';
+  choice_2 <= equal when condition = '1' else CV_is_0;
+  CV_is_0_next <= '0' when LD = '1' else choice_2;
 
-  Q <= '1' when signed(CV_next) <= 0 else '0';
+  Q <= CV_is_0_next;
 
   process (clk)
   begin
     if rising_edge(clk) then
       if rst = '1' then
-        CV <= to_unsigned(50, 16);
+        CV <= "110010";
         was <= '0';
+        CV_is_0 <= '0';
       else
         CV <= CV_next;
         was <= power;
+        CV_is_0 <= CV_is_0_next;
       end if;
     end if;
   end process;
@@ -228,14 +250,13 @@ architecture rtl of ab_counters is
   signal c5_1_ACC : unsigned(15 downto 0) := to_unsigned(50, 16);
   signal c5_1_was_down : std_logic := '1';
   signal c5_2_ACC : unsigned(15 downto 0) := (others => '0');
-  signal c5_2_OV : std_logic := '0';
+  signal overflow_reg : std_logic := '0';
   signal c5_2_UN : std_logic := '0';
   signal c5_2_was_up : std_logic := '1';
   signal up_done_reg : std_logic := '0';
   signal down_done_reg : std_logic := '0';
   signal siemens_up_done_reg : std_logic := '0';
   signal siemens_down_done_reg : std_logic := '0';
-  signal overflow_reg : std_logic := '0';
   signal c5_0_ACC_2 : unsigned(15 downto 0);
   signal c5_0_DN : std_logic;
   signal c5_0_was_up_2 : std_logic;
@@ -249,7 +270,7 @@ architecture rtl of ab_counters is
   signal c5_1_ACC_next : unsigned(15 downto 0);
   signal c5_1_was_down_next : std_logic;
   signal c5_2_ACC_2 : unsigned(15 downto 0);
-  signal c5_2_OV_2 : std_logic;
+  signal c5_2_OV : std_logic;
   signal c5_2_UN_2 : std_logic;
   signal c5_2_was_up_2 : std_logic;
   signal c5_2_ACC_rung8 : unsigned(15 downto 0);
@@ -304,11 +325,11 @@ begin
     port map (
       power => count_up,
       ACC_before => c5_2_ACC,
-      OV_before => c5_2_OV,
+      OV_before => overflow_reg,
       UN_before => c5_2_UN,
       was_up_before => c5_2_was_up,
       ACC => c5_2_ACC_2,
-      OV => c5_2_OV_2,
+      OV => c5_2_OV,
       UN => c5_2_UN_2,
       was_up => c5_2_was_up_2
     );
@@ -318,7 +339,7 @@ begin
 
   -- rung 9, ab_counters.ladder:32
   c5_2_ACC_next <= to_unsigned(0, 16) when reset_up = '1' else c5_2_ACC_rung8;
-  overflow_next <= not reset_up and c5_2_OV_2;
+  overflow_next <= not reset_up and c5_2_OV;
   c5_2_UN_next <= not reset_up and c5_2_UN_2;
   c5_2_was_up_next <= not reset_up and c5_2_was_up_2;
 
@@ -361,28 +382,26 @@ begin
         c5_1_ACC <= to_unsigned(50, 16);
         c5_1_was_down <= '1';
         c5_2_ACC <= (others => '0');
-        c5_2_OV <= '0';
+        overflow_reg <= '0';
         c5_2_UN <= '0';
         c5_2_was_up <= '1';
         up_done_reg <= '0';
         down_done_reg <= '0';
         siemens_up_done_reg <= '0';
         siemens_down_done_reg <= '0';
-        overflow_reg <= '0';
       else
         c5_0_ACC <= c5_0_ACC_next;
         c5_0_was_up <= c5_0_was_up_next;
         c5_1_ACC <= c5_1_ACC_next;
         c5_1_was_down <= c5_1_was_down_next;
         c5_2_ACC <= c5_2_ACC_next;
-        c5_2_OV <= overflow_next;
+        overflow_reg <= overflow_next;
         c5_2_UN <= c5_2_UN_next;
         c5_2_was_up <= c5_2_was_up_next;
         up_done_reg <= up_done_next;
         down_done_reg <= down_done_next;
         siemens_up_done_reg <= siemens_up_done_next;
         siemens_down_done_reg <= siemens_down_done_next;
-        overflow_reg <= overflow_next;
       end if;
     end if;
   end process;

@@ -93,21 +93,21 @@ module ab_counters_test_CTU_PV99 (
   input  wire        power,
   input  wire        R,
   output wire        Q,
-  output wire [15:0] CV_last
+  output wire [14:0] CV_last
 );
-  reg [15:0] CV = 16'd0;
+  reg [14:0] CV = 15'd0;
   reg was = 1'b0;
 
-  wire unequal = CV != 16'd32767;
-  wire [15:0] sum = CV + {15'b0, power & ~was & unequal};
-  wire [15:0] CV_next = R ? 16'd0 : sum;
+  wire unequal = CV != 15'h7fff;
+  wire [14:0] sum = CV + {14'b0, power & ~was & unequal};
+  wire [14:0] CV_next = R ? 15'd0 : sum;
 
-  assign Q = $signed(CV_next) >= 16'sd99;
+  assign Q = CV_next >= 15'd99;
   assign CV_last = CV;
 
   always @(posedge clk) begin
     if (rst) begin
-      CV <= 16'd0;
+      CV <= 15'd0;
       was <= 1'b0;
     end else begin
       CV <= CV_next;
@@ -133,8 +133,8 @@ module ab_counters_test_CTD_PV50 (
   reg [15:0] CV = 16'd50;
   reg was = 1'b0;
 
-  wire greater = $signed(CV) > 16'sh8000;
-  wire [15:0] difference = CV - {15'b0, power & ~was & greater};
+  wire unequal = CV != 16'h8000;
+  wire [15:0] difference = CV - {15'b0, power & ~was & unequal};
   wire [15:0] CV_next = LD ? 16'd50 : difference;
 
   assign Q = $signed(CV_next) <= 16'sd0;
@@ -261,7 +261,7 @@ module ab_counters_test (
 
   // rung 11 "the same with Siemens' counters", ab_counters.ladder:36
   wire c1_Q;
-  wire [15:0] c1_CV_last;
+  wire [14:0] c1_CV_last;
   ab_counters_test_CTU_PV99 c1 (
     .clk(clk),
     .rst(rst),
@@ -283,6 +283,7 @@ module ab_counters_test (
     .Q(c2_Q),
     .CV_last(c2_CV_last)
   );
+  wire [15:0] c1_CV_value = {1'b0, c1_CV_last};
   wire siemens_down_done_next = c2_Q;
 
   assign up_done = up_done_reg;
@@ -291,7 +292,7 @@ module ab_counters_test (
   assign siemens_down_done = siemens_down_done_reg;
   assign overflow = overflow_reg;
   assign c5_0_ACC = c5_0_ACC_reg;
-  assign c1_CV = c1_CV_last;
+  assign c1_CV = c1_CV_value;
   assign c5_1_ACC = c5_1_ACC_reg;
   assign c2_CV = c2_CV_last;
   assign c5_2_ACC = c5_2_ACC_reg;

@@ -128,22 +128,22 @@ entity ab_counters_test_CTU_PV99 is
     power   : in  std_logic;
     R       : in  std_logic;
     Q       : out std_logic;
-    CV_last : out unsigned(15 downto 0)
+    CV_last : out unsigned(14 downto 0)
   );
 end entity ab_counters_test_CTU_PV99;
 
 architecture rtl of ab_counters_test_CTU_PV99 is
-  signal CV : unsigned(15 downto 0) := (others => '0');
+  signal CV : unsigned(14 downto 0) := (others => '0');
   signal was : std_logic := '0';
   signal unequal : std_logic;
-  signal sum : unsigned(15 downto 0);
-  signal CV_next : unsigned(15 downto 0);
+  signal sum : unsigned(14 downto 0);
+  signal CV_next : unsigned(14 downto 0);
 begin
   unequal <= '1' when CV /= 32767 else '0';
-  sum <= CV + (to_unsigned(0, 15) & (power and not was and unequal));
-  CV_next <= to_unsigned(0, 16) when R = '1' else sum;
+  sum <= CV + (to_unsigned(0, 14) & (power and not was and unequal));
+  CV_next <= to_unsigned(0, 15) when R = '1' else sum;
 
-  Q <= '1' when signed(CV_next) >= 99 else '0';
+  Q <= '1' when CV_next >= 99 else '0';
   CV_last <= CV;
 
   process (clk)
@@ -184,12 +184,12 @@ end entity ab_counters_test_CTD_PV50;
 architecture rtl of ab_counters_test_CTD_PV50 is
   signal CV : unsigned(15 downto 0) := to_unsigned(50, 16);
   signal was : std_logic := '0';
-  signal greater : std_logic;
+  signal unequal : std_logic;
   signal difference : unsigned(15 downto 0);
   signal CV_next : unsigned(15 downto 0);
 begin
-  greater <= '1' when signed(CV) > -32768 else '0';
-  difference <= CV - (to_unsigned(0, 15) & (power and not was and greater));
+  unequal <= '1' when CV /= 32768 else '0';
+  difference <= CV - (to_unsigned(0, 15) & (power and not was and unequal));
   CV_next <= to_unsigned(50, 16) when LD = '1' else difference;
 
   Q <= '1' when signed(CV_next) <= 0 else '0';
@@ -277,10 +277,11 @@ architecture rtl of ab_counters_test is
   signal c5_2_UN_next : std_logic;
   signal c5_2_was_up_next : std_logic;
   signal c1_Q : std_logic;
-  signal c1_CV_last : unsigned(15 downto 0);
+  signal c1_CV_last : unsigned(14 downto 0);
   signal siemens_up_done_next : std_logic;
   signal c2_Q : std_logic;
   signal c2_CV_last : unsigned(15 downto 0);
+  signal c1_CV_value : unsigned(15 downto 0);
   signal siemens_down_done_next : std_logic;
 begin
 
@@ -369,6 +370,7 @@ begin
       Q => c2_Q,
       CV_last => c2_CV_last
     );
+  c1_CV_value <= resize(c1_CV_last, 16);
   siemens_down_done_next <= c2_Q;
 
   up_done <= up_done_reg;
@@ -377,7 +379,7 @@ begin
   siemens_down_done <= siemens_down_done_reg;
   overflow <= overflow_reg;
   c5_0_ACC <= std_logic_vector(c5_0_ACC_reg);
-  c1_CV <= std_logic_vector(c1_CV_last);
+  c1_CV <= std_logic_vector(c1_CV_value);
   c5_1_ACC <= std_logic_vector(c5_1_ACC_reg);
   c2_CV <= std_logic_vector(c2_CV_last);
   c5_2_ACC <= std_logic_vector(c5_2_ACC_reg);

@@ -32,8 +32,8 @@ module ab_flasher_AB_TON_BASE10_PRE30 (
   wire condition_2 = condition & equal;
   wire [31:0] sum = fraction_before + {31'b0, condition};
   wire [31:0] choice = condition_2 ? 32'd0 : sum;
-  wire less = $signed(ACC_before) < 16'sd32767;
-  wire [15:0] sum_2 = ACC_before + {15'b0, condition_2 & less};
+  wire unequal = ACC_before != 16'd32767;
+  wire [15:0] sum_2 = ACC_before + {15'b0, condition_2 & unequal};
   wire at_least = $signed(sum_2) >= 16'sd30;
   wire DN_next = power & (DN | at_least);
   wire [15:0] ACC_value = power ? sum_2 : 16'd0;
@@ -81,8 +81,8 @@ module ab_flasher_AB_TON_BASE10_PRE50 (
   wire condition_2 = condition & equal;
   wire [31:0] sum = fraction_before + {31'b0, condition};
   wire [31:0] choice = condition_2 ? 32'd0 : sum;
-  wire less = $signed(ACC_before) < 16'sd32767;
-  wire [15:0] sum_2 = ACC_before + {15'b0, condition_2 & less};
+  wire unequal = ACC_before != 16'd32767;
+  wire [15:0] sum_2 = ACC_before + {15'b0, condition_2 & unequal};
   wire at_least = $signed(sum_2) >= 16'sd50;
   wire DN_next = power & (DN_reg | at_least);
   wire [15:0] ACC_value = power ? sum_2 : 16'd0;
@@ -116,21 +116,24 @@ module ab_flasher_TON_PT300 (
   output wire Q_last
 );
   reg Q = 1'b0;
-  reg [31:0] ET = 32'd0;
+  reg [8:0] ET = 9'd0;
   reg was = 1'b0;
 
-  wire less = $signed(ET) < 32'sd300;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] ET_next = (power & was) ? sum : 32'd0;
-  wire at_least = $signed(ET_next) >= 32'sd300;
-  wire Q_next = power & at_least;
+  wire condition = power & was;
+  wire condition_2 = tick & ~Q;
+  wire [8:0] sum = ET + 9'd1;
+  wire [8:0] choice = condition_2 ? sum : ET;
+  wire [8:0] ET_next = condition ? choice : 9'd0;
+  wire equal = ET == 9'h12b;
+  wire choice_2 = condition_2 ? equal : Q;
+  wire Q_next = condition ? choice_2 : 1'b0;
 
   assign Q_last = Q;
 
   always @(posedge clk) begin
     if (rst) begin
       Q <= 1'b0;
-      ET <= 32'd0;
+      ET <= 9'd0;
       was <= 1'b0;
     end else begin
       Q <= Q_next;
@@ -152,23 +155,30 @@ module ab_flasher_TON_PT500 (
   input  wire power,
   output wire Q
 );
-  reg [31:0] ET = 32'd0;
+  reg [8:0] ET = 9'd0;
   reg was = 1'b0;
+  reg ET_is_500 = 1'b0;
 
-  wire less = $signed(ET) < 32'sd500;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] ET_next = (power & was) ? sum : 32'd0;
-  wire at_least = $signed(ET_next) >= 32'sd500;
+  wire condition = power & was;
+  wire condition_2 = tick & ~ET_is_500;
+  wire [8:0] sum = ET + 9'd1;
+  wire [8:0] choice = condition_2 ? sum : ET;
+  wire [8:0] ET_next = condition ? choice : 9'd0;
+  wire equal = ET == 9'h1f3;
+  wire choice_2 = condition_2 ? equal : ET_is_500;
+  wire ET_is_500_next = condition ? choice_2 : 1'b0;
 
-  assign Q = power & at_least;
+  assign Q = ET_is_500_next;
 
   always @(posedge clk) begin
     if (rst) begin
-      ET <= 32'd0;
+      ET <= 9'd0;
       was <= 1'b0;
+      ET_is_500 <= 1'b0;
     end else begin
       ET <= ET_next;
       was <= power;
+      ET_is_500 <= ET_is_500_next;
     end
   end
 endmodule

@@ -34,7 +34,7 @@ architecture rtl of ab_flasher_AB_TON_BASE10_PRE30 is
   signal condition_2 : std_logic;
   signal sum : unsigned(31 downto 0);
   signal choice : unsigned(31 downto 0);
-  signal less : std_logic;
+  signal unequal : std_logic;
   signal sum_2 : unsigned(15 downto 0);
   signal at_least : std_logic;
   signal DN_next : std_logic;
@@ -46,8 +46,8 @@ begin
   condition_2 <= condition and equal;
   sum <= fraction_before + (to_unsigned(0, 31) & condition);
   choice <= to_unsigned(0, 32) when condition_2 = '1' else sum;
-  less <= '1' when signed(ACC_before) < 32767 else '0';
-  sum_2 <= ACC_before + (to_unsigned(0, 15) & (condition_2 and less));
+  unequal <= '1' when ACC_before /= 32767 else '0';
+  sum_2 <= ACC_before + (to_unsigned(0, 15) & (condition_2 and unequal));
   at_least <= '1' when signed(sum_2) >= 30 else '0';
   DN_next <= power and (DN or at_least);
   ACC_value <= sum_2 when power = '1' else to_unsigned(0, 16);
@@ -105,7 +105,7 @@ architecture rtl of ab_flasher_AB_TON_BASE10_PRE50 is
   signal condition_2 : std_logic;
   signal sum : unsigned(31 downto 0);
   signal choice : unsigned(31 downto 0);
-  signal less : std_logic;
+  signal unequal : std_logic;
   signal sum_2 : unsigned(15 downto 0);
   signal at_least : std_logic;
   signal DN_next : std_logic;
@@ -117,8 +117,8 @@ begin
   condition_2 <= condition and equal;
   sum <= fraction_before + (to_unsigned(0, 31) & condition);
   choice <= to_unsigned(0, 32) when condition_2 = '1' else sum;
-  less <= '1' when signed(ACC_before) < 32767 else '0';
-  sum_2 <= ACC_before + (to_unsigned(0, 15) & (condition_2 and less));
+  unequal <= '1' when ACC_before /= 32767 else '0';
+  sum_2 <= ACC_before + (to_unsigned(0, 15) & (condition_2 and unequal));
   at_least <= '1' when signed(sum_2) >= 50 else '0';
   DN_next <= power and (DN_reg or at_least);
   ACC_value <= sum_2 when power = '1' else to_unsigned(0, 16);
@@ -163,19 +163,25 @@ end entity ab_flasher_TON_PT300;
 
 architecture rtl of ab_flasher_TON_PT300 is
   signal Q : std_logic := '0';
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(8 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal condition : std_logic;
+  signal condition_2 : std_logic;
+  signal sum : unsigned(8 downto 0);
+  signal choice : unsigned(8 downto 0);
+  signal ET_next : unsigned(8 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
   signal Q_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 300 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(ET_next) >= 300 else '0';
-  Q_next <= power and at_least;
+  condition <= power and was;
+  condition_2 <= tick and not Q;
+  sum <= ET + 1;
+  choice <= sum when condition_2 = '1' else ET;
+  ET_next <= choice when condition = '1' else to_unsigned(0, 9);
+  equal <= '1' when ET = 299 else '0';
+  choice_2 <= equal when condition_2 = '1' else Q;
+  Q_next <= choice_2 when condition = '1' else '0';
 
   Q_last <= Q;
 
@@ -215,19 +221,28 @@ entity ab_flasher_TON_PT500 is
 end entity ab_flasher_TON_PT500;
 
 architecture rtl of ab_flasher_TON_PT500 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(8 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal ET_is_500 : std_logic := '0';
+  signal condition : std_logic;
+  signal condition_2 : std_logic;
+  signal sum : unsigned(8 downto 0);
+  signal choice : unsigned(8 downto 0);
+  signal ET_next : unsigned(8 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
+  signal ET_is_500_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 500 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(ET_next) >= 500 else '0';
+  condition <= power and was;
+  condition_2 <= tick and not ET_is_500;
+  sum <= ET + 1;
+  choice <= sum when condition_2 = '1' else ET;
+  ET_next <= choice when condition = '1' else to_unsigned(0, 9);
+  equal <= '1' when ET = 499 else '0';
+  choice_2 <= equal when condition_2 = '1' else ET_is_500;
+  ET_is_500_next <= choice_2 when condition = '1' else '0';
 
-  Q <= power and at_least;
+  Q <= ET_is_500_next;
 
   process (clk)
   begin
@@ -235,9 +250,11 @@ begin
       if rst = '1' then
         ET <= (others => '0');
         was <= '0';
+        ET_is_500 <= '0';
       else
         ET <= ET_next;
         was <= power;
+        ET_is_500 <= ET_is_500_next;
       end if;
     end if;
   end process;

@@ -18,8 +18,8 @@ module ab_part_count_AB_TON_BASE1_DINT_PRE500 (
   reg DN_reg = 1'b0;
   reg was = 1'b0;
 
-  wire less = $signed(ACC_before) < 32'sd2147483647;
-  wire [31:0] sum = ACC_before + {31'b0, power & was & ~DN_reg & tick & less};
+  wire unequal = ACC_before != 32'd2147483647;
+  wire [31:0] sum = ACC_before + {31'b0, power & was & ~DN_reg & tick & unequal};
   wire at_least = $signed(sum) >= 32'sd500;
   wire DN_next = power & (DN_reg | at_least);
   wire [31:0] ACC_value = power ? sum : 32'd0;
@@ -72,23 +72,30 @@ module ab_part_count_TON_PT500 (
   input  wire power,
   output wire Q
 );
-  reg [31:0] ET = 32'd0;
+  reg [8:0] ET = 9'd0;
   reg was = 1'b0;
+  reg ET_is_500 = 1'b0;
 
-  wire less = $signed(ET) < 32'sd500;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] ET_next = (power & was) ? sum : 32'd0;
-  wire at_least = $signed(ET_next) >= 32'sd500;
+  wire condition = power & was;
+  wire condition_2 = tick & ~ET_is_500;
+  wire [8:0] sum = ET + 9'd1;
+  wire [8:0] choice = condition_2 ? sum : ET;
+  wire [8:0] ET_next = condition ? choice : 9'd0;
+  wire equal = ET == 9'h1f3;
+  wire choice_2 = condition_2 ? equal : ET_is_500;
+  wire ET_is_500_next = condition ? choice_2 : 1'b0;
 
-  assign Q = power & at_least;
+  assign Q = ET_is_500_next;
 
   always @(posedge clk) begin
     if (rst) begin
-      ET <= 32'd0;
+      ET <= 9'd0;
       was <= 1'b0;
+      ET_is_500 <= 1'b0;
     end else begin
       ET <= ET_next;
       was <= power;
+      ET_is_500 <= ET_is_500_next;
     end
   end
 endmodule
@@ -106,22 +113,29 @@ module ab_part_count_CTU_PV1000 (
   input  wire R,
   output wire Q
 );
-  reg [15:0] CV = 16'd0;
+  reg [9:0] CV = 10'd0;
   reg was = 1'b0;
+  reg CV_is_1000 = 1'b0;
 
-  wire unequal = CV != 16'd32767;
-  wire [15:0] sum = CV + {15'b0, power & ~was & unequal};
-  wire [15:0] CV_next = R ? 16'd0 : sum;
+  wire condition = power & ~was & ~CV_is_1000;
+  wire [9:0] sum = CV + 10'd1;
+  wire [9:0] choice = condition ? sum : CV;
+  wire [9:0] CV_next = R ? 10'd0 : choice;
+  wire equal = CV == 10'h3e7;
+  wire choice_2 = condition ? equal : CV_is_1000;
+  wire CV_is_1000_next = R ? 1'b0 : choice_2;
 
-  assign Q = $signed(CV_next) >= 16'sd1000;
+  assign Q = CV_is_1000_next;
 
   always @(posedge clk) begin
     if (rst) begin
-      CV <= 16'd0;
+      CV <= 10'd0;
       was <= 1'b0;
+      CV_is_1000 <= 1'b0;
     end else begin
       CV <= CV_next;
       was <= power;
+      CV_is_1000 <= CV_is_1000_next;
     end
   end
 endmodule

@@ -20,14 +20,14 @@ end entity ab_part_count_AB_TON_BASE1_DINT_PRE500;
 architecture rtl of ab_part_count_AB_TON_BASE1_DINT_PRE500 is
   signal DN_reg : std_logic := '0';
   signal was : std_logic := '0';
-  signal less : std_logic;
+  signal unequal : std_logic;
   signal sum : unsigned(31 downto 0);
   signal at_least : std_logic;
   signal DN_next : std_logic;
   signal ACC_value : unsigned(31 downto 0);
 begin
-  less <= '1' when signed(ACC_before) < 2147483647 else '0';
-  sum <= ACC_before + (to_unsigned(0, 31) & (power and was and not DN_reg and tick and less));
+  unequal <= '1' when ACC_before /= 2147483647 else '0';
+  sum <= ACC_before + (to_unsigned(0, 31) & (power and was and not DN_reg and tick and unequal));
   at_least <= '1' when signed(sum) >= 500 else '0';
   DN_next <= power and (DN_reg or at_least);
   ACC_value <= sum when power = '1' else to_unsigned(0, 32);
@@ -101,19 +101,28 @@ entity ab_part_count_TON_PT500 is
 end entity ab_part_count_TON_PT500;
 
 architecture rtl of ab_part_count_TON_PT500 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(8 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal ET_is_500 : std_logic := '0';
+  signal condition : std_logic;
+  signal condition_2 : std_logic;
+  signal sum : unsigned(8 downto 0);
+  signal choice : unsigned(8 downto 0);
+  signal ET_next : unsigned(8 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
+  signal ET_is_500_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 500 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(ET_next) >= 500 else '0';
+  condition <= power and was;
+  condition_2 <= tick and not ET_is_500;
+  sum <= ET + 1;
+  choice <= sum when condition_2 = '1' else ET;
+  ET_next <= choice when condition = '1' else to_unsigned(0, 9);
+  equal <= '1' when ET = 499 else '0';
+  choice_2 <= equal when condition_2 = '1' else ET_is_500;
+  ET_is_500_next <= choice_2 when condition = '1' else '0';
 
-  Q <= power and at_least;
+  Q <= ET_is_500_next;
 
   process (clk)
   begin
@@ -121,9 +130,11 @@ begin
       if rst = '1' then
         ET <= (others => '0');
         was <= '0';
+        ET_is_500 <= '0';
       else
         ET <= ET_next;
         was <= power;
+        ET_is_500 <= ET_is_500_next;
       end if;
     end if;
   end process;
@@ -150,17 +161,26 @@ entity ab_part_count_CTU_PV1000 is
 end entity ab_part_count_CTU_PV1000;
 
 architecture rtl of ab_part_count_CTU_PV1000 is
-  signal CV : unsigned(15 downto 0) := (others => '0');
+  signal CV : unsigned(9 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal unequal : std_logic;
-  signal sum : unsigned(15 downto 0);
-  signal CV_next : unsigned(15 downto 0);
+  signal CV_is_1000 : std_logic := '0';
+  signal condition : std_logic;
+  signal sum : unsigned(9 downto 0);
+  signal choice : unsigned(9 downto 0);
+  signal CV_next : unsigned(9 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
+  signal CV_is_1000_next : std_logic;
 begin
-  unequal <= '1' when CV /= 32767 else '0';
-  sum <= CV + (to_unsigned(0, 15) & (power and not was and unequal));
-  CV_next <= to_unsigned(0, 16) when R = '1' else sum;
+  condition <= power and not was and not CV_is_1000;
+  sum <= CV + 1;
+  choice <= sum when condition = '1' else CV;
+  CV_next <= to_unsigned(0, 10) when R = '1' else choice;
+  equal <= '1' when CV = 999 else '0';
+  choice_2 <= equal when condition = '1' else CV_is_1000;
+  CV_is_1000_next <= '0' when R = '1' else choice_2;
 
-  Q <= '1' when signed(CV_next) >= 1000 else '0';
+  Q <= CV_is_1000_next;
 
   process (clk)
   begin
@@ -168,9 +188,11 @@ begin
       if rst = '1' then
         CV <= (others => '0');
         was <= '0';
+        CV_is_1000 <= '0';
       else
         CV <= CV_next;
         was <= power;
+        CV_is_1000 <= CV_is_1000_next;
       end if;
     end if;
   end process;

@@ -19,8 +19,8 @@ module ab_part_count_test_AB_TON_BASE1_DINT_PRE500 (
   reg DN_reg = 1'b0;
   reg was = 1'b0;
 
-  wire less = $signed(ACC_before) < 32'sd2147483647;
-  wire [31:0] sum = ACC_before + {31'b0, power & was & ~DN_reg & tick & less};
+  wire unequal = ACC_before != 32'd2147483647;
+  wire [31:0] sum = ACC_before + {31'b0, power & was & ~DN_reg & tick & unequal};
   wire at_least = $signed(sum) >= 32'sd500;
   wire DN_next = power & (DN_reg | at_least);
   wire [31:0] ACC_value = power ? sum : 32'd0;
@@ -73,23 +73,30 @@ module ab_part_count_test_TON_PT500 (
   input  wire power,
   output wire Q
 );
-  reg [31:0] ET = 32'd0;
+  reg [8:0] ET = 9'd0;
   reg was = 1'b0;
+  reg ET_is_500 = 1'b0;
 
-  wire less = $signed(ET) < 32'sd500;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] ET_next = (power & was) ? sum : 32'd0;
-  wire at_least = $signed(ET_next) >= 32'sd500;
+  wire condition = power & was;
+  wire condition_2 = tick & ~ET_is_500;
+  wire [8:0] sum = ET + 9'd1;
+  wire [8:0] choice = condition_2 ? sum : ET;
+  wire [8:0] ET_next = condition ? choice : 9'd0;
+  wire equal = ET == 9'h1f3;
+  wire choice_2 = condition_2 ? equal : ET_is_500;
+  wire ET_is_500_next = condition ? choice_2 : 1'b0;
 
-  assign Q = power & at_least;
+  assign Q = ET_is_500_next;
 
   always @(posedge clk) begin
     if (rst) begin
-      ET <= 32'd0;
+      ET <= 9'd0;
       was <= 1'b0;
+      ET_is_500 <= 1'b0;
     end else begin
       ET <= ET_next;
       was <= power;
+      ET_is_500 <= ET_is_500_next;
     end
   end
 endmodule
@@ -106,21 +113,21 @@ module ab_part_count_test_CTU_PV1000 (
   input  wire        power,
   input  wire        R,
   output wire        Q,
-  output wire [15:0] CV_last
+  output wire [14:0] CV_last
 );
-  reg [15:0] CV = 16'd0;
+  reg [14:0] CV = 15'd0;
   reg was = 1'b0;
 
-  wire unequal = CV != 16'd32767;
-  wire [15:0] sum = CV + {15'b0, power & ~was & unequal};
-  wire [15:0] CV_next = R ? 16'd0 : sum;
+  wire unequal = CV != 15'h7fff;
+  wire [14:0] sum = CV + {14'b0, power & ~was & unequal};
+  wire [14:0] CV_next = R ? 15'd0 : sum;
 
-  assign Q = $signed(CV_next) >= 16'sd1000;
+  assign Q = CV_next >= 15'd1000;
   assign CV_last = CV;
 
   always @(posedge clk) begin
     if (rst) begin
-      CV <= 16'd0;
+      CV <= 15'd0;
       was <= 1'b0;
     end else begin
       CV <= CV_next;
@@ -200,7 +207,7 @@ module ab_part_count_test (
 
   // rung 7 "DB2", ab_part_count.ladder:23
   wire db2_Q;
-  wire [15:0] db2_CV_last;
+  wire [14:0] db2_CV_last;
   ab_part_count_test_CTU_PV1000 db2 (
     .clk(clk),
     .rst(rst),
@@ -209,6 +216,7 @@ module ab_part_count_test (
     .Q(db2_Q),
     .CV_last(db2_CV_last)
   );
+  wire [15:0] db2_CV_value = {1'b0, db2_CV_last};
   wire siemens_batch_next = db2_Q;
 
   assign pump_on_for_a_while = pump_on_for_a_while_reg;
@@ -216,7 +224,7 @@ module ab_part_count_test (
   assign siemens_pump = siemens_pump_reg;
   assign siemens_batch = siemens_batch_reg;
   assign part_count_ACC = part_count_ACC_reg;
-  assign db2_CV = db2_CV_last;
+  assign db2_CV = db2_CV_value;
 
   always @(posedge clk) begin
     if (rst) begin

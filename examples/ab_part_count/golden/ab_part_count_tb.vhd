@@ -23,14 +23,14 @@ end entity ab_part_count_test_AB_TON_BASE1_DINT_PRE500;
 architecture rtl of ab_part_count_test_AB_TON_BASE1_DINT_PRE500 is
   signal DN_reg : std_logic := '0';
   signal was : std_logic := '0';
-  signal less : std_logic;
+  signal unequal : std_logic;
   signal sum : unsigned(31 downto 0);
   signal at_least : std_logic;
   signal DN_next : std_logic;
   signal ACC_value : unsigned(31 downto 0);
 begin
-  less <= '1' when signed(ACC_before) < 2147483647 else '0';
-  sum <= ACC_before + (to_unsigned(0, 31) & (power and was and not DN_reg and tick and less));
+  unequal <= '1' when ACC_before /= 2147483647 else '0';
+  sum <= ACC_before + (to_unsigned(0, 31) & (power and was and not DN_reg and tick and unequal));
   at_least <= '1' when signed(sum) >= 500 else '0';
   DN_next <= power and (DN_reg or at_least);
   ACC_value <= sum when power = '1' else to_unsigned(0, 32);
@@ -104,19 +104,28 @@ entity ab_part_count_test_TON_PT500 is
 end entity ab_part_count_test_TON_PT500;
 
 architecture rtl of ab_part_count_test_TON_PT500 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(8 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal ET_is_500 : std_logic := '0';
+  signal condition : std_logic;
+  signal condition_2 : std_logic;
+  signal sum : unsigned(8 downto 0);
+  signal choice : unsigned(8 downto 0);
+  signal ET_next : unsigned(8 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
+  signal ET_is_500_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 500 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(ET_next) >= 500 else '0';
+  condition <= power and was;
+  condition_2 <= tick and not ET_is_500;
+  sum <= ET + 1;
+  choice <= sum when condition_2 = '1' else ET;
+  ET_next <= choice when condition = '1' else to_unsigned(0, 9);
+  equal <= '1' when ET = 499 else '0';
+  choice_2 <= equal when condition_2 = '1' else ET_is_500;
+  ET_is_500_next <= choice_2 when condition = '1' else '0';
 
-  Q <= power and at_least;
+  Q <= ET_is_500_next;
 
   process (clk)
   begin
@@ -124,9 +133,11 @@ begin
       if rst = '1' then
         ET <= (others => '0');
         was <= '0';
+        ET_is_500 <= '0';
       else
         ET <= ET_next;
         was <= power;
+        ET_is_500 <= ET_is_500_next;
       end if;
     end if;
   end process;
@@ -149,22 +160,22 @@ entity ab_part_count_test_CTU_PV1000 is
     power   : in  std_logic;
     R       : in  std_logic;
     Q       : out std_logic;
-    CV_last : out unsigned(15 downto 0)
+    CV_last : out unsigned(14 downto 0)
   );
 end entity ab_part_count_test_CTU_PV1000;
 
 architecture rtl of ab_part_count_test_CTU_PV1000 is
-  signal CV : unsigned(15 downto 0) := (others => '0');
+  signal CV : unsigned(14 downto 0) := (others => '0');
   signal was : std_logic := '0';
   signal unequal : std_logic;
-  signal sum : unsigned(15 downto 0);
-  signal CV_next : unsigned(15 downto 0);
+  signal sum : unsigned(14 downto 0);
+  signal CV_next : unsigned(14 downto 0);
 begin
   unequal <= '1' when CV /= 32767 else '0';
-  sum <= CV + (to_unsigned(0, 15) & (power and not was and unequal));
-  CV_next <= to_unsigned(0, 16) when R = '1' else sum;
+  sum <= CV + (to_unsigned(0, 14) & (power and not was and unequal));
+  CV_next <= to_unsigned(0, 15) when R = '1' else sum;
 
-  Q <= '1' when signed(CV_next) >= 1000 else '0';
+  Q <= '1' when CV_next >= 1000 else '0';
   CV_last <= CV;
 
   process (clk)
@@ -222,7 +233,8 @@ architecture rtl of ab_part_count_test is
   signal db1_Q : std_logic;
   signal siemens_pump_next : std_logic;
   signal db2_Q : std_logic;
-  signal db2_CV_last : unsigned(15 downto 0);
+  signal db2_CV_last : unsigned(14 downto 0);
+  signal db2_CV_value : unsigned(15 downto 0);
   signal siemens_batch_next : std_logic;
 begin
 
@@ -280,6 +292,7 @@ begin
       Q => db2_Q,
       CV_last => db2_CV_last
     );
+  db2_CV_value <= resize(db2_CV_last, 16);
   siemens_batch_next <= db2_Q;
 
   pump_on_for_a_while <= pump_on_for_a_while_reg;
@@ -287,7 +300,7 @@ begin
   siemens_pump <= siemens_pump_reg;
   siemens_batch <= siemens_batch_reg;
   part_count_ACC <= std_logic_vector(part_count_ACC_reg);
-  db2_CV <= std_logic_vector(db2_CV_last);
+  db2_CV <= std_logic_vector(db2_CV_value);
 
   process (clk)
   begin

@@ -36,15 +36,15 @@ module ab_retentive_test_AB_RTO_BASE100 (
   reg was = 1'b0;
 
   wire less = $signed(PRE) < 16'sd0;
-  wire [15:0] choice = less ? 16'd0 : PRE;
+  wire [14:0] choice = less ? 15'd0 : PRE[14:0];
   wire condition = power & was & ~DN_reg & tick;
   wire equal = fraction_before == 32'd99;
   wire condition_2 = condition & equal;
   wire [31:0] sum = fraction_before + {31'b0, condition};
   wire [31:0] fraction_value = condition_2 ? 32'd0 : sum;
-  wire less_2 = $signed(ACC_before) < 16'sd32767;
-  wire [15:0] ACC_value = ACC_before + {15'b0, condition_2 & less_2};
-  wire at_least = $signed(ACC_value) >= $signed(choice);
+  wire unequal = ACC_before != 16'd32767;
+  wire [15:0] ACC_value = ACC_before + {15'b0, condition_2 & unequal};
+  wire at_least = $signed(ACC_value) >= $signed({1'b0, choice});
   wire DN_value = DN_reg | power & at_least;
   wire EN_next = ~clear_after & power;
   wire TT_next = ~clear_after & power & ~DN_value;
@@ -123,14 +123,15 @@ module ab_retentive_test (
   output wire        t4_2_EN,
   output wire        t4_2_TT
 );
-  reg [15:0] t4_2_PRE = 16'd5;
+  reg [3:0] t4_2_PRE = 4'd5;
   reg [15:0] t4_2_ACC_reg = 16'd0;
   reg [31:0] t4_2_fraction = 32'd0;
-  reg [31:0] limit = 32'd500;
+  reg [9:0] limit = 10'd500;
   reg service_reg = 1'b0;
   reg siemens_service_reg = 1'b0;
 
   // rung 1 "T4:2, five units of a second", ab_retentive.ladder:12
+  wire [15:0] t4_2_PRE_2 = {12'b0, t4_2_PRE};
   wire [15:0] t4_2_ACC_2;
   wire t4_2_EN_last;
   wire t4_2_TT_last;
@@ -141,7 +142,7 @@ module ab_retentive_test (
     .rst(rst),
     .tick(tick),
     .power(pump),
-    .PRE(t4_2_PRE),
+    .PRE(t4_2_PRE_2),
     .ACC_before(t4_2_ACC_reg),
     .fraction_before(t4_2_fraction),
     .clear_after(reset_button),
@@ -160,6 +161,7 @@ module ab_retentive_test (
   wire [31:0] t4_2_fraction_next = reset_button ? 32'd0 : t4_2_fraction_2;
 
   // rung 4 "the same with Siemens' timer", ab_retentive.ladder:20
+  wire [31:0] t3_PT = {22'b0, limit};
   wire t3_Q;
   wire [31:0] t3_ET_last;
   ab_retentive_test_TONR t3 (
@@ -167,7 +169,7 @@ module ab_retentive_test (
     .rst(rst),
     .tick(tick),
     .power(pump),
-    .PT(limit),
+    .PT(t3_PT),
     .R(reset_button),
     .Q(t3_Q),
     .ET_last(t3_ET_last)
@@ -175,8 +177,8 @@ module ab_retentive_test (
   wire siemens_service_next = t3_Q;
 
   // rung 5, ab_retentive.ladder:23
-  wire [15:0] t4_2_PRE_next = longer ? 16'd8 : t4_2_PRE;
-  wire [31:0] limit_next = longer ? 32'd800 : limit;
+  wire [3:0] t4_2_PRE_next = longer ? 4'h8 : t4_2_PRE;
+  wire [9:0] limit_next = longer ? 10'h320 : limit;
 
   assign service = service_reg;
   assign siemens_service = siemens_service_reg;
@@ -187,10 +189,10 @@ module ab_retentive_test (
 
   always @(posedge clk) begin
     if (rst) begin
-      t4_2_PRE <= 16'd5;
+      t4_2_PRE <= 4'd5;
       t4_2_ACC_reg <= 16'd0;
       t4_2_fraction <= 32'd0;
-      limit <= 32'd500;
+      limit <= 10'd500;
       service_reg <= 1'b0;
       siemens_service_reg <= 1'b0;
     end else begin

@@ -22,15 +22,14 @@ end entity ab_seal_AB_TON_BASE1_DINT_PRE2000;
 architecture rtl of ab_seal_AB_TON_BASE1_DINT_PRE2000 is
   signal EN_reg : std_logic := '0';
   signal DN_reg : std_logic := '0';
-  signal was : std_logic := '0';
-  signal less : std_logic;
+  signal unequal : std_logic;
   signal sum : unsigned(31 downto 0);
   signal at_least : std_logic;
   signal DN_next : std_logic;
   signal ACC_value : unsigned(31 downto 0);
 begin
-  less <= '1' when signed(ACC_before) < 2147483647 else '0';
-  sum <= ACC_before + (to_unsigned(0, 31) & (power and was and not DN_reg and tick and less));
+  unequal <= '1' when ACC_before /= 2147483647 else '0';
+  sum <= ACC_before + (to_unsigned(0, 31) & (power and EN_reg and not DN_reg and tick and unequal));
   at_least <= '1' when signed(sum) >= 2000 else '0';
   DN_next <= power and (DN_reg or at_least);
   ACC_value <= sum when power = '1' else to_unsigned(0, 32);
@@ -46,11 +45,9 @@ begin
       if rst = '1' then
         EN_reg <= '0';
         DN_reg <= '0';
-        was <= '0';
       else
         EN_reg <= power;
         DN_reg <= DN_next;
-        was <= power;
       end if;
     end if;
   end process;
@@ -76,19 +73,28 @@ entity ab_seal_TON_PT2000 is
 end entity ab_seal_TON_PT2000;
 
 architecture rtl of ab_seal_TON_PT2000 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(10 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal ET_is_2000 : std_logic := '0';
+  signal condition : std_logic;
+  signal condition_2 : std_logic;
+  signal sum : unsigned(10 downto 0);
+  signal choice : unsigned(10 downto 0);
+  signal ET_next : unsigned(10 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
+  signal ET_is_2000_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 2000 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(ET_next) >= 2000 else '0';
+  condition <= power and was;
+  condition_2 <= tick and not ET_is_2000;
+  sum <= ET + 1;
+  choice <= sum when condition_2 = '1' else ET;
+  ET_next <= choice when condition = '1' else to_unsigned(0, 11);
+  equal <= '1' when ET = 1999 else '0';
+  choice_2 <= equal when condition_2 = '1' else ET_is_2000;
+  ET_is_2000_next <= choice_2 when condition = '1' else '0';
 
-  Q <= power and at_least;
+  Q <= ET_is_2000_next;
 
   process (clk)
   begin
@@ -96,9 +102,11 @@ begin
       if rst = '1' then
         ET <= (others => '0');
         was <= '0';
+        ET_is_2000 <= '0';
       else
         ET <= ET_next;
         was <= power;
+        ET_is_2000 <= ET_is_2000_next;
       end if;
     end if;
   end process;

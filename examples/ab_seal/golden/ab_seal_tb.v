@@ -20,10 +20,9 @@ module ab_seal_test_AB_TON_BASE1_DINT_PRE2000 (
 );
   reg EN_reg = 1'b0;
   reg DN_reg = 1'b0;
-  reg was = 1'b0;
 
-  wire less = $signed(ACC_before) < 32'sd2147483647;
-  wire [31:0] sum = ACC_before + {31'b0, power & was & ~DN_reg & tick & less};
+  wire unequal = ACC_before != 32'd2147483647;
+  wire [31:0] sum = ACC_before + {31'b0, power & EN_reg & ~DN_reg & tick & unequal};
   wire at_least = $signed(sum) >= 32'sd2000;
   wire DN_next = power & (DN_reg | at_least);
   wire [31:0] ACC_value = power ? sum : 32'd0;
@@ -37,11 +36,9 @@ module ab_seal_test_AB_TON_BASE1_DINT_PRE2000 (
     if (rst) begin
       EN_reg <= 1'b0;
       DN_reg <= 1'b0;
-      was <= 1'b0;
     end else begin
       EN_reg <= power;
       DN_reg <= DN_next;
-      was <= power;
     end
   end
 endmodule
@@ -58,23 +55,30 @@ module ab_seal_test_TON_PT2000 (
   input  wire power,
   output wire Q
 );
-  reg [31:0] ET = 32'd0;
+  reg [10:0] ET = 11'd0;
   reg was = 1'b0;
+  reg ET_is_2000 = 1'b0;
 
-  wire less = $signed(ET) < 32'sd2000;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] ET_next = (power & was) ? sum : 32'd0;
-  wire at_least = $signed(ET_next) >= 32'sd2000;
+  wire condition = power & was;
+  wire condition_2 = tick & ~ET_is_2000;
+  wire [10:0] sum = ET + 11'd1;
+  wire [10:0] choice = condition_2 ? sum : ET;
+  wire [10:0] ET_next = condition ? choice : 11'd0;
+  wire equal = ET == 11'h7cf;
+  wire choice_2 = condition_2 ? equal : ET_is_2000;
+  wire ET_is_2000_next = condition ? choice_2 : 1'b0;
 
-  assign Q = power & at_least;
+  assign Q = ET_is_2000_next;
 
   always @(posedge clk) begin
     if (rst) begin
-      ET <= 32'd0;
+      ET <= 11'd0;
       was <= 1'b0;
+      ET_is_2000 <= 1'b0;
     end else begin
       ET <= ET_next;
       was <= power;
+      ET_is_2000 <= ET_is_2000_next;
     end
   end
 endmodule

@@ -32,15 +32,15 @@ module ab_timer_contacts_test_AB_TON_BASE10 (
   reg was = 1'b0;
 
   wire less = $signed(PRE) < 16'sd0;
-  wire [15:0] choice = less ? 16'd0 : PRE;
+  wire [14:0] choice = less ? 15'd0 : PRE[14:0];
   wire condition = power & was & ~DN_reg & tick;
   wire equal = fraction_before == 32'd9;
   wire condition_2 = condition & equal;
   wire [31:0] sum = fraction_before + {31'b0, condition};
   wire [31:0] choice_2 = condition_2 ? 32'd0 : sum;
-  wire less_2 = $signed(ACC_before) < 16'sd32767;
-  wire [15:0] sum_2 = ACC_before + {15'b0, condition_2 & less_2};
-  wire at_least = $signed(sum_2) >= $signed(choice);
+  wire unequal = ACC_before != 16'd32767;
+  wire [15:0] sum_2 = ACC_before + {15'b0, condition_2 & unequal};
+  wire at_least = $signed(sum_2) >= $signed({1'b0, choice});
   wire DN_next = power & (DN_reg | at_least);
   wire [15:0] ACC_value = power ? sum_2 : 16'd0;
   wire [31:0] fraction_value = power ? choice_2 : 32'd0;
@@ -111,10 +111,10 @@ module ab_timer_contacts_test (
   output wire        siemens_done,
   output wire [15:0] t4_0_ACC
 );
-  reg [15:0] t4_0_PRE = 16'd50;
+  reg [6:0] t4_0_PRE = 7'd50;
   reg [15:0] t4_0_ACC_reg = 16'd0;
   reg [31:0] t4_0_fraction = 32'd0;
-  reg [31:0] preset = 32'd500;
+  reg [12:0] preset = 13'd500;
   reg enabled_reg = 1'b0;
   reg timing_reg = 1'b0;
   reg done_reg = 1'b0;
@@ -124,6 +124,7 @@ module ab_timer_contacts_test (
   reg siemens_done_reg = 1'b0;
 
   // rung 1 "T4:0, 50 units of 10 ms", ab_timer_contacts.ladder:12
+  wire [15:0] t4_0_PRE_2 = {7'b0, {{2{t4_0_PRE[6]}}, t4_0_PRE}};
   wire [15:0] t4_0_ACC_2;
   wire t4_0_EN;
   wire t4_0_TT;
@@ -134,7 +135,7 @@ module ab_timer_contacts_test (
     .rst(rst),
     .tick(tick),
     .power(run),
-    .PRE(t4_0_PRE),
+    .PRE(t4_0_PRE_2),
     .ACC_before(t4_0_ACC_reg),
     .fraction_before(t4_0_fraction),
     .ACC(t4_0_ACC_2),
@@ -163,20 +164,21 @@ module ab_timer_contacts_test (
   wire not_done_next = ~t4_0_DN;
 
   // rung 8 "the same with Siemens' timer: only Q is built in", ab_timer_contacts.ladder:30
+  wire [31:0] t1_PT = {19'b0, preset};
   wire t1_Q;
   ab_timer_contacts_test_TON t1 (
     .clk(clk),
     .rst(rst),
     .tick(tick),
     .power(run),
-    .PT(preset),
+    .PT(t1_PT),
     .Q(t1_Q)
   );
   wire siemens_done_next = t1_Q;
 
   // rung 9 "from 0.5 s to 5 s", ab_timer_contacts.ladder:33
-  wire [15:0] t4_0_PRE_next = slower ? 16'd500 : t4_0_PRE;
-  wire [31:0] preset_next = slower ? 32'd5000 : preset;
+  wire [6:0] t4_0_PRE_next = slower ? 7'h74 : t4_0_PRE;
+  wire [12:0] preset_next = slower ? 13'h1388 : preset;
 
   assign enabled = enabled_reg;
   assign timing = timing_reg;
@@ -189,10 +191,10 @@ module ab_timer_contacts_test (
 
   always @(posedge clk) begin
     if (rst) begin
-      t4_0_PRE <= 16'd50;
+      t4_0_PRE <= 7'd50;
       t4_0_ACC_reg <= 16'd0;
       t4_0_fraction <= 32'd0;
-      preset <= 32'd500;
+      preset <= 13'd500;
       enabled_reg <= 1'b0;
       timing_reg <= 1'b0;
       done_reg <= 1'b0;

@@ -36,13 +36,13 @@ architecture rtl of ab_timer_contacts_test_AB_TON_BASE10 is
   signal DN_reg : std_logic := '0';
   signal was : std_logic := '0';
   signal less : std_logic;
-  signal choice : unsigned(15 downto 0);
+  signal choice : unsigned(14 downto 0);
   signal condition : std_logic;
   signal equal : std_logic;
   signal condition_2 : std_logic;
   signal sum : unsigned(31 downto 0);
   signal choice_2 : unsigned(31 downto 0);
-  signal less_2 : std_logic;
+  signal unequal : std_logic;
   signal sum_2 : unsigned(15 downto 0);
   signal at_least : std_logic;
   signal DN_next : std_logic;
@@ -50,15 +50,15 @@ architecture rtl of ab_timer_contacts_test_AB_TON_BASE10 is
   signal fraction_value : unsigned(31 downto 0);
 begin
   less <= '1' when signed(PRE) < 0 else '0';
-  choice <= to_unsigned(0, 16) when less = '1' else PRE;
+  choice <= to_unsigned(0, 15) when less = '1' else PRE(14 downto 0);
   condition <= power and was and not DN_reg and tick;
   equal <= '1' when fraction_before = 9 else '0';
   condition_2 <= condition and equal;
   sum <= fraction_before + (to_unsigned(0, 31) & condition);
   choice_2 <= to_unsigned(0, 32) when condition_2 = '1' else sum;
-  less_2 <= '1' when signed(ACC_before) < 32767 else '0';
-  sum_2 <= ACC_before + (to_unsigned(0, 15) & (condition_2 and less_2));
-  at_least <= '1' when signed(sum_2) >= signed(choice) else '0';
+  unequal <= '1' when ACC_before /= 32767 else '0';
+  sum_2 <= ACC_before + (to_unsigned(0, 15) & (condition_2 and unequal));
+  at_least <= '1' when signed(sum_2) >= signed(resize(choice, 16)) else '0';
   DN_next <= power and (DN_reg or at_least);
   ACC_value <= sum_2 when power = '1' else to_unsigned(0, 16);
   fraction_value <= choice_2 when power = '1' else to_unsigned(0, 32);
@@ -155,10 +155,10 @@ entity ab_timer_contacts_test is
 end entity ab_timer_contacts_test;
 
 architecture rtl of ab_timer_contacts_test is
-  signal t4_0_PRE : unsigned(15 downto 0) := to_unsigned(50, 16);
+  signal t4_0_PRE : unsigned(6 downto 0) := to_unsigned(50, 7);
   signal t4_0_ACC_reg : unsigned(15 downto 0) := (others => '0');
   signal t4_0_fraction : unsigned(31 downto 0) := (others => '0');
-  signal preset : unsigned(31 downto 0) := to_unsigned(500, 32);
+  signal preset : unsigned(12 downto 0) := to_unsigned(500, 13);
   signal enabled_reg : std_logic := '0';
   signal timing_reg : std_logic := '0';
   signal done_reg : std_logic := '0';
@@ -166,6 +166,7 @@ architecture rtl of ab_timer_contacts_test is
   signal not_timing_reg : std_logic := '0';
   signal not_done_reg : std_logic := '0';
   signal siemens_done_reg : std_logic := '0';
+  signal t4_0_PRE_2 : unsigned(15 downto 0);
   signal t4_0_ACC_2 : unsigned(15 downto 0);
   signal t4_0_EN : std_logic;
   signal t4_0_TT : std_logic;
@@ -177,20 +178,22 @@ architecture rtl of ab_timer_contacts_test is
   signal not_enabled_next : std_logic;
   signal not_timing_next : std_logic;
   signal not_done_next : std_logic;
+  signal t1_PT : unsigned(31 downto 0);
   signal t1_Q : std_logic;
   signal siemens_done_next : std_logic;
-  signal t4_0_PRE_next : unsigned(15 downto 0);
-  signal preset_next : unsigned(31 downto 0);
+  signal t4_0_PRE_next : unsigned(6 downto 0);
+  signal preset_next : unsigned(12 downto 0);
 begin
 
   -- rung 1 "T4:0, 50 units of 10 ms", ab_timer_contacts.ladder:12
+  t4_0_PRE_2 <= resize(unsigned(resize(signed(t4_0_PRE), 9)), 16);
   t4_0: entity work.ab_timer_contacts_test_AB_TON_BASE10
     port map (
       clk => clk,
       rst => rst,
       tick => tick,
       power => run,
-      PRE => t4_0_PRE,
+      PRE => t4_0_PRE_2,
       ACC_before => t4_0_ACC_reg,
       fraction_before => t4_0_fraction,
       ACC => t4_0_ACC_2,
@@ -219,20 +222,21 @@ begin
   not_done_next <= not t4_0_DN;
 
   -- rung 8 "the same with Siemens' timer: only Q is built in", ab_timer_contacts.ladder:30
+  t1_PT <= resize(preset, 32);
   t1: entity work.ab_timer_contacts_test_TON
     port map (
       clk => clk,
       rst => rst,
       tick => tick,
       power => run,
-      PT => preset,
+      PT => t1_PT,
       Q => t1_Q
     );
   siemens_done_next <= t1_Q;
 
   -- rung 9 "from 0.5 s to 5 s", ab_timer_contacts.ladder:33
-  t4_0_PRE_next <= to_unsigned(500, 16) when slower = '1' else t4_0_PRE;
-  preset_next <= to_unsigned(5000, 32) when slower = '1' else preset;
+  t4_0_PRE_next <= "1110100" when slower = '1' else t4_0_PRE;
+  preset_next <= "1001110001000" when slower = '1' else preset;
 
   enabled <= enabled_reg;
   timing <= timing_reg;
@@ -247,10 +251,10 @@ begin
   begin
     if rising_edge(clk) then
       if rst = '1' then
-        t4_0_PRE <= to_unsigned(50, 16);
+        t4_0_PRE <= to_unsigned(50, 7);
         t4_0_ACC_reg <= (others => '0');
         t4_0_fraction <= (others => '0');
-        preset <= to_unsigned(500, 32);
+        preset <= to_unsigned(500, 13);
         enabled_reg <= '0';
         timing_reg <= '0';
         done_reg <= '0';

@@ -120,30 +120,30 @@ module cash_register (
   reg lamp_fries_reg = 1'b0;
   reg lamp_drink_reg = 1'b0;
 
-  // rung 1 "a key: one in a scan, the upper one of several", cash_register.ladder:50
+  // rung 1 "a key: one in a scan, the upper one of several", cash_register.ladder:52
 
-  // rung 2, cash_register.ladder:52
+  // rung 2, cash_register.ladder:54
   wire [3:0] entry_rung2 = (key_drink & ~key_drink_before) ? 4'd5 : 4'hf;
 
-  // rung 3, cash_register.ladder:53
+  // rung 3, cash_register.ladder:55
   wire [3:0] entry_rung3 = (key_fries & ~key_fries_before) ? 4'd4 : entry_rung2;
 
-  // rung 4, cash_register.ladder:54
+  // rung 4, cash_register.ladder:56
   wire [3:0] entry_rung4 = (key_burger & ~key_burger_before) ? 4'd3 : entry_rung3;
 
-  // rung 5, cash_register.ladder:55
+  // rung 5, cash_register.ladder:57
   wire [3:0] entry_rung5 = (key_junior & ~key_junior_before) ? 4'd2 : entry_rung4;
 
-  // rung 6, cash_register.ladder:56
+  // rung 6, cash_register.ladder:58
   wire [3:0] entry_rung6 = (key_double & ~key_double_before) ? 4'd1 : entry_rung5;
 
-  // rung 7, cash_register.ladder:57
+  // rung 7, cash_register.ladder:59
   wire [3:0] entry_rung7 = (key_combo & ~key_combo_before) ? 4'd0 : entry_rung6;
 
-  // rung 8, cash_register.ladder:58
+  // rung 8, cash_register.ladder:60
   wire [3:0] entry = (paid_reg | new_order) ? 4'hf : entry_rung7;
 
-  // rung 9 "remember what was entered", cash_register.ladder:60
+  // rung 9 "remember what was entered", cash_register.ladder:62
   wire rung9_unequal = entry != 4'hf;
   wire rung9_equal = place == 3'd0;
   wire [2:0] last_0_next = (rung9_unequal & rung9_equal) ? entry[2:0] : last_0;
@@ -168,9 +168,9 @@ module cash_register (
   wire [3:0] rung9_choice = rung9_greater ? 4'h8 : rung9_sum_2[3:0];
   wire [15:0] kept_rung9 = rung9_unequal ? {12'b0, rung9_choice} : kept;
 
-  // rung 10 "take the last entry back", cash_register.ladder:64
+  // rung 10 "take the last entry back", cash_register.ladder:66
 
-  // rung 11, cash_register.ladder:66
+  // rung 11, cash_register.ladder:68
   wire rung11_equal = entry == 4'hf;
   wire rung11_unequal = kept_rung9 != 16'd0;
   wire rung11_power = cancel_last & ~cancel_last_before & ~paid_reg & rung11_equal & rung11_unequal;
@@ -188,11 +188,11 @@ module cash_register (
   wire [2:0] rung11_choice_7 = place_next[2] ? rung11_choice_6 : rung11_choice_5;
   wire [3:0] cancelled = rung11_power ? {1'b0, rung11_choice_7} : 4'hf;
 
-  // rung 12 "new order", cash_register.ladder:70
+  // rung 12 "new order", cash_register.ladder:72
   wire [15:0] kept_next = new_order ? 16'd0 : kept_rung11;
   wire paid_rung12 = paid_reg & ~new_order;
 
-  // rung 13 "count", cash_register.ladder:73
+  // rung 13 "count", cash_register.ladder:75
   wire count_combo_power = entry == 4'd0;
   wire count_combo_CD = cancelled == 4'd0;
   wire [15:0] count_combo_CV;
@@ -205,7 +205,7 @@ module cash_register (
     .CV(count_combo_CV)
   );
 
-  // rung 14, cash_register.ladder:75
+  // rung 14, cash_register.ladder:77
   wire count_double_power = entry == 4'd1;
   wire count_double_CD = cancelled == 4'd1;
   wire [15:0] count_double_CV;
@@ -218,7 +218,7 @@ module cash_register (
     .CV(count_double_CV)
   );
 
-  // rung 15, cash_register.ladder:76
+  // rung 15, cash_register.ladder:78
   wire count_junior_power = entry == 4'd2;
   wire count_junior_CD = cancelled == 4'd2;
   wire [15:0] count_junior_CV;
@@ -231,7 +231,7 @@ module cash_register (
     .CV(count_junior_CV)
   );
 
-  // rung 16, cash_register.ladder:77
+  // rung 16, cash_register.ladder:79
   wire count_burger_power = entry == 4'd3;
   wire count_burger_CD = cancelled == 4'd3;
   wire [15:0] count_burger_CV;
@@ -244,7 +244,7 @@ module cash_register (
     .CV(count_burger_CV)
   );
 
-  // rung 17, cash_register.ladder:78
+  // rung 17, cash_register.ladder:80
   wire count_fries_power = entry == 4'd4;
   wire count_fries_CD = cancelled == 4'd4;
   wire [15:0] count_fries_CV;
@@ -257,7 +257,7 @@ module cash_register (
     .CV(count_fries_CV)
   );
 
-  // rung 18, cash_register.ladder:79
+  // rung 18, cash_register.ladder:81
   wire count_drink_power = entry == 4'd5;
   wire count_drink_CD = cancelled == 4'd5;
   wire [15:0] count_drink_CV;
@@ -270,32 +270,32 @@ module cash_register (
     .CV(count_drink_CV)
   );
 
-  // rung 19 "a lamp in each key that was used", cash_register.ladder:81
+  // rung 19 "a lamp in each key that was used", cash_register.ladder:83
   wire lamp_combo_next = $signed(count_combo_CV) > 16'sd0;
 
-  // rung 20, cash_register.ladder:83
+  // rung 20, cash_register.ladder:85
   wire lamp_double_next = $signed(count_double_CV) > 16'sd0;
 
-  // rung 21, cash_register.ladder:84
+  // rung 21, cash_register.ladder:86
   wire lamp_junior_next = $signed(count_junior_CV) > 16'sd0;
 
-  // rung 22, cash_register.ladder:85
+  // rung 22, cash_register.ladder:87
   wire lamp_burger_next = $signed(count_burger_CV) > 16'sd0;
 
-  // rung 23, cash_register.ladder:86
+  // rung 23, cash_register.ladder:88
   wire lamp_fries_next = $signed(count_fries_CV) > 16'sd0;
 
-  // rung 24, cash_register.ladder:87
+  // rung 24, cash_register.ladder:89
   wire lamp_drink_next = $signed(count_drink_CV) > 16'sd0;
 
-  // rung 25 "burger, fries and drink cost what a combo costs", cash_register.ladder:89
+  // rung 25 "burger, fries and drink cost what a combo costs", cash_register.ladder:91
   wire rung25_less = $signed(count_drink_CV) < $signed(count_fries_CV);
   wire [15:0] rung25_choice = rung25_less ? count_drink_CV : count_fries_CV;
   wire rung25_less_2 = $signed(rung25_choice) < $signed(count_burger_CV);
   wire [15:0] as_combo = rung25_less_2 ? rung25_choice : count_burger_CV;
   wire [31:0] rung25_extended = {{16{as_combo[15]}}, as_combo};
 
-  // rung 26 "what the order costs", cash_register.ladder:92
+  // rung 26 "what the order costs", cash_register.ladder:94
   wire [31:0] rung26_extended = {{16{count_combo_CV[15]}}, count_combo_CV};
   wire [31:0] rung26_product = rung26_extended * 32'd899;
   wire [31:0] rung26_extended_2 = {{16{count_double_CV[15]}}, count_double_CV};
@@ -305,7 +305,7 @@ module cash_register (
   wire [31:0] rung26_product_3 = rung26_extended_3 * 32'd649;
   wire [31:0] subtotal_rung26 = rung26_sum + rung26_product_3;
 
-  // rung 27, cash_register.ladder:95
+  // rung 27, cash_register.ladder:97
   wire [31:0] rung27_extended = {{16{count_burger_CV[15]}}, count_burger_CV};
   wire [31:0] rung27_product = rung27_extended * 32'd549;
   wire [31:0] rung27_sum = subtotal_rung26 + rung27_product;
@@ -316,22 +316,22 @@ module cash_register (
   wire [31:0] rung27_product_3 = rung27_extended_3 * 32'd229;
   wire [31:0] subtotal_rung27 = rung27_sum_2 + rung27_product_3;
 
-  // rung 28, cash_register.ladder:98
+  // rung 28, cash_register.ladder:100
   wire [31:0] rung28_product = rung25_extended * 32'd158;
   wire [31:0] subtotal_next = subtotal_rung27 - rung28_product;
 
-  // rung 29 "6.25 % are a sixteenth, rounded to a cent", cash_register.ladder:100
+  // rung 29 "6.25 % are a sixteenth, rounded to a cent", cash_register.ladder:102
   wire [31:0] tax_value = {{4{tax_reg[27]}}, tax_reg};
 
-  // rung 30, cash_register.ladder:102
+  // rung 30, cash_register.ladder:104
   wire [31:0] rung30_sum = subtotal_next + 32'd8;
   wire [31:0] rung30_sum_2 = rung30_sum + {28'b0, {4{rung30_sum[31]}}};
   wire [27:0] tax_next = ~to_go ? rung30_sum_2[31:4] : 28'd0;
 
-  // rung 31, cash_register.ladder:103
+  // rung 31, cash_register.ladder:105
   wire [31:0] total_next = subtotal_next + {{4{tax_next[27]}}, tax_next};
 
-  // rung 32 "what it earns", cash_register.ladder:105
+  // rung 32 "what it earns", cash_register.ladder:107
   wire [31:0] rung32_extended = {{16{count_combo_CV[15]}}, count_combo_CV};
   wire [31:0] rung32_product = rung32_extended * 32'd310;
   wire [31:0] rung32_extended_2 = {{16{count_double_CV[15]}}, count_double_CV};
@@ -341,7 +341,7 @@ module cash_register (
   wire [31:0] rung32_product_3 = rung32_extended_3 * 32'd240;
   wire [31:0] earned_rung32 = rung32_sum + rung32_product_3;
 
-  // rung 33, cash_register.ladder:108
+  // rung 33, cash_register.ladder:110
   wire [31:0] rung33_extended = {{16{count_burger_CV[15]}}, count_burger_CV};
   wire [31:0] rung33_product = rung33_extended * 32'd150;
   wire [31:0] rung33_sum = earned_rung32 + rung33_product;
@@ -352,11 +352,11 @@ module cash_register (
   wire [31:0] rung33_product_3 = rung33_extended_3 * 32'd140;
   wire [31:0] earned_rung33 = rung33_sum_2 + rung33_product_3;
 
-  // rung 34, cash_register.ladder:111
+  // rung 34, cash_register.ladder:113
   wire [31:0] rung34_product = rung25_extended * 32'd158;
   wire [31:0] earned = earned_rung33 - rung34_product;
 
-  // rung 35 "paid: into the books of the day, once", cash_register.ladder:113
+  // rung 35 "paid: into the books of the day, once", cash_register.ladder:115
   wire rung35_greater = $signed(subtotal_next) > 32'sd0;
   wire rung35_power = total_key & ~total_key_before & ~paid_rung12 & rung35_greater;
   wire paid_next = rung35_power | paid_rung12;
@@ -375,7 +375,7 @@ module cash_register (
   wire [31:0] rung35_sum_7 = profit_reg + earned;
   wire [31:0] profit_rung35 = rung35_power ? rung35_sum_7 : profit_reg;
 
-  // rung 36 "new day", cash_register.ladder:122
+  // rung 36 "new day", cash_register.ladder:124
   wire rung36_power = new_day & ~new_day_before;
   wire [31:0] profit_next = rung36_power ? 32'd0 : profit_rung35;
   wire [31:0] sold_0_next = rung36_power ? 32'd0 : sold_0_rung35;

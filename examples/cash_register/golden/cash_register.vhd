@@ -288,33 +288,33 @@ architecture rtl of cash_register is
   signal sold_5_next : unsigned(31 downto 0);
 begin
 
-  -- rung 1 "a key: one in a scan, the upper one of several", cash_register.ladder:50
+  -- rung 1 "a key: one in a scan, the upper one of several", cash_register.ladder:52
 
-  -- rung 2, cash_register.ladder:52
+  -- rung 2, cash_register.ladder:54
   entry_rung2 <= to_unsigned(5, 4) when (key_drink and not key_drink_before) = '1' else x"F";
 
-  -- rung 3, cash_register.ladder:53
+  -- rung 3, cash_register.ladder:55
   entry_rung3 <= to_unsigned(4, 4) when (key_fries and not key_fries_before) = '1' else entry_rung2;
 
-  -- rung 4, cash_register.ladder:54
+  -- rung 4, cash_register.ladder:56
   entry_rung4 <=
       to_unsigned(3, 4) when (key_burger and not key_burger_before) = '1' else entry_rung3;
 
-  -- rung 5, cash_register.ladder:55
+  -- rung 5, cash_register.ladder:57
   entry_rung5 <=
       to_unsigned(2, 4) when (key_junior and not key_junior_before) = '1' else entry_rung4;
 
-  -- rung 6, cash_register.ladder:56
+  -- rung 6, cash_register.ladder:58
   entry_rung6 <=
       to_unsigned(1, 4) when (key_double and not key_double_before) = '1' else entry_rung5;
 
-  -- rung 7, cash_register.ladder:57
+  -- rung 7, cash_register.ladder:59
   entry_rung7 <= to_unsigned(0, 4) when (key_combo and not key_combo_before) = '1' else entry_rung6;
 
-  -- rung 8, cash_register.ladder:58
+  -- rung 8, cash_register.ladder:60
   entry <= x"F" when (paid_reg or new_order) = '1' else entry_rung7;
 
-  -- rung 9 "remember what was entered", cash_register.ladder:60
+  -- rung 9 "remember what was entered", cash_register.ladder:62
   rung9_unequal <= '1' when entry /= 15 else '0';
   rung9_equal <= '1' when place = 0 else '0';
   last_0_next <= entry(2 downto 0) when (rung9_unequal and rung9_equal) = '1' else last_0;
@@ -339,9 +339,9 @@ begin
   rung9_choice <= x"8" when rung9_greater = '1' else rung9_sum_2(3 downto 0);
   kept_rung9 <= resize(rung9_choice, 16) when rung9_unequal = '1' else kept;
 
-  -- rung 10 "take the last entry back", cash_register.ladder:64
+  -- rung 10 "take the last entry back", cash_register.ladder:66
 
-  -- rung 11, cash_register.ladder:66
+  -- rung 11, cash_register.ladder:68
   rung11_equal <= '1' when entry = 15 else '0';
   rung11_unequal <= '1' when kept_rung9 /= 0 else '0';
   rung11_power <=
@@ -360,11 +360,11 @@ begin
   rung11_choice_7 <= rung11_choice_6 when place_next(2) = '1' else rung11_choice_5;
   cancelled <= resize(rung11_choice_7, 4) when rung11_power = '1' else x"F";
 
-  -- rung 12 "new order", cash_register.ladder:70
+  -- rung 12 "new order", cash_register.ladder:72
   kept_next <= to_unsigned(0, 16) when new_order = '1' else kept_rung11;
   paid_rung12 <= paid_reg and not new_order;
 
-  -- rung 13 "count", cash_register.ladder:73
+  -- rung 13 "count", cash_register.ladder:75
   count_combo_power <= '1' when entry = 0 else '0';
   count_combo_CD <= '1' when cancelled = 0 else '0';
   count_combo: entity work.cash_register_CTUD_PV0
@@ -377,7 +377,7 @@ begin
       CV => count_combo_CV
     );
 
-  -- rung 14, cash_register.ladder:75
+  -- rung 14, cash_register.ladder:77
   count_double_power <= '1' when entry = 1 else '0';
   count_double_CD <= '1' when cancelled = 1 else '0';
   count_double: entity work.cash_register_CTUD_PV0
@@ -390,7 +390,7 @@ begin
       CV => count_double_CV
     );
 
-  -- rung 15, cash_register.ladder:76
+  -- rung 15, cash_register.ladder:78
   count_junior_power <= '1' when entry = 2 else '0';
   count_junior_CD <= '1' when cancelled = 2 else '0';
   count_junior: entity work.cash_register_CTUD_PV0
@@ -403,7 +403,7 @@ begin
       CV => count_junior_CV
     );
 
-  -- rung 16, cash_register.ladder:77
+  -- rung 16, cash_register.ladder:79
   count_burger_power <= '1' when entry = 3 else '0';
   count_burger_CD <= '1' when cancelled = 3 else '0';
   count_burger: entity work.cash_register_CTUD_PV0
@@ -416,7 +416,7 @@ begin
       CV => count_burger_CV
     );
 
-  -- rung 17, cash_register.ladder:78
+  -- rung 17, cash_register.ladder:80
   count_fries_power <= '1' when entry = 4 else '0';
   count_fries_CD <= '1' when cancelled = 4 else '0';
   count_fries: entity work.cash_register_CTUD_PV0
@@ -429,7 +429,7 @@ begin
       CV => count_fries_CV
     );
 
-  -- rung 18, cash_register.ladder:79
+  -- rung 18, cash_register.ladder:81
   count_drink_power <= '1' when entry = 5 else '0';
   count_drink_CD <= '1' when cancelled = 5 else '0';
   count_drink: entity work.cash_register_CTUD_PV0
@@ -442,32 +442,32 @@ begin
       CV => count_drink_CV
     );
 
-  -- rung 19 "a lamp in each key that was used", cash_register.ladder:81
+  -- rung 19 "a lamp in each key that was used", cash_register.ladder:83
   lamp_combo_next <= '1' when signed(count_combo_CV) > 0 else '0';
 
-  -- rung 20, cash_register.ladder:83
+  -- rung 20, cash_register.ladder:85
   lamp_double_next <= '1' when signed(count_double_CV) > 0 else '0';
 
-  -- rung 21, cash_register.ladder:84
+  -- rung 21, cash_register.ladder:86
   lamp_junior_next <= '1' when signed(count_junior_CV) > 0 else '0';
 
-  -- rung 22, cash_register.ladder:85
+  -- rung 22, cash_register.ladder:87
   lamp_burger_next <= '1' when signed(count_burger_CV) > 0 else '0';
 
-  -- rung 23, cash_register.ladder:86
+  -- rung 23, cash_register.ladder:88
   lamp_fries_next <= '1' when signed(count_fries_CV) > 0 else '0';
 
-  -- rung 24, cash_register.ladder:87
+  -- rung 24, cash_register.ladder:89
   lamp_drink_next <= '1' when signed(count_drink_CV) > 0 else '0';
 
-  -- rung 25 "burger, fries and drink cost what a combo costs", cash_register.ladder:89
+  -- rung 25 "burger, fries and drink cost what a combo costs", cash_register.ladder:91
   rung25_less <= '1' when signed(count_drink_CV) < signed(count_fries_CV) else '0';
   rung25_choice <= count_drink_CV when rung25_less = '1' else count_fries_CV;
   rung25_less_2 <= '1' when signed(rung25_choice) < signed(count_burger_CV) else '0';
   as_combo <= rung25_choice when rung25_less_2 = '1' else count_burger_CV;
   rung25_extended <= unsigned(resize(signed(as_combo), 32));
 
-  -- rung 26 "what the order costs", cash_register.ladder:92
+  -- rung 26 "what the order costs", cash_register.ladder:94
   rung26_extended <= unsigned(resize(signed(count_combo_CV), 32));
   rung26_product <= resize(rung26_extended * to_unsigned(899, 32), 32);
   rung26_extended_2 <= unsigned(resize(signed(count_double_CV), 32));
@@ -477,7 +477,7 @@ begin
   rung26_product_3 <= resize(rung26_extended_3 * to_unsigned(649, 32), 32);
   subtotal_rung26 <= rung26_sum + rung26_product_3;
 
-  -- rung 27, cash_register.ladder:95
+  -- rung 27, cash_register.ladder:97
   rung27_extended <= unsigned(resize(signed(count_burger_CV), 32));
   rung27_product <= resize(rung27_extended * to_unsigned(549, 32), 32);
   rung27_sum <= subtotal_rung26 + rung27_product;
@@ -488,22 +488,22 @@ begin
   rung27_product_3 <= resize(rung27_extended_3 * to_unsigned(229, 32), 32);
   subtotal_rung27 <= rung27_sum_2 + rung27_product_3;
 
-  -- rung 28, cash_register.ladder:98
+  -- rung 28, cash_register.ladder:100
   rung28_product <= resize(rung25_extended * to_unsigned(158, 32), 32);
   subtotal_next <= subtotal_rung27 - rung28_product;
 
-  -- rung 29 "6.25 % are a sixteenth, rounded to a cent", cash_register.ladder:100
+  -- rung 29 "6.25 % are a sixteenth, rounded to a cent", cash_register.ladder:102
   tax_value <= unsigned(resize(signed(tax_reg), 32));
 
-  -- rung 30, cash_register.ladder:102
+  -- rung 30, cash_register.ladder:104
   rung30_sum <= subtotal_next + 8;
   rung30_sum_2 <= rung30_sum + resize(unsigned'(3 downto 0 => rung30_sum(31)), 32);
   tax_next <= rung30_sum_2(31 downto 4) when (not to_go) = '1' else to_unsigned(0, 28);
 
-  -- rung 31, cash_register.ladder:103
+  -- rung 31, cash_register.ladder:105
   total_next <= subtotal_next + unsigned(resize(signed(tax_next), 32));
 
-  -- rung 32 "what it earns", cash_register.ladder:105
+  -- rung 32 "what it earns", cash_register.ladder:107
   rung32_extended <= unsigned(resize(signed(count_combo_CV), 32));
   rung32_product <= resize(rung32_extended * to_unsigned(310, 32), 32);
   rung32_extended_2 <= unsigned(resize(signed(count_double_CV), 32));
@@ -513,7 +513,7 @@ begin
   rung32_product_3 <= resize(rung32_extended_3 * to_unsigned(240, 32), 32);
   earned_rung32 <= rung32_sum + rung32_product_3;
 
-  -- rung 33, cash_register.ladder:108
+  -- rung 33, cash_register.ladder:110
   rung33_extended <= unsigned(resize(signed(count_burger_CV), 32));
   rung33_product <= resize(rung33_extended * to_unsigned(150, 32), 32);
   rung33_sum <= earned_rung32 + rung33_product;
@@ -524,11 +524,11 @@ begin
   rung33_product_3 <= resize(rung33_extended_3 * to_unsigned(140, 32), 32);
   earned_rung33 <= rung33_sum_2 + rung33_product_3;
 
-  -- rung 34, cash_register.ladder:111
+  -- rung 34, cash_register.ladder:113
   rung34_product <= resize(rung25_extended * to_unsigned(158, 32), 32);
   earned <= earned_rung33 - rung34_product;
 
-  -- rung 35 "paid: into the books of the day, once", cash_register.ladder:113
+  -- rung 35 "paid: into the books of the day, once", cash_register.ladder:115
   rung35_greater <= '1' when signed(subtotal_next) > 0 else '0';
   rung35_power <= total_key and not total_key_before and not paid_rung12 and rung35_greater;
   paid_next <= rung35_power or paid_rung12;
@@ -547,7 +547,7 @@ begin
   rung35_sum_7 <= profit_reg + earned;
   profit_rung35 <= rung35_sum_7 when rung35_power = '1' else profit_reg;
 
-  -- rung 36 "new day", cash_register.ladder:122
+  -- rung 36 "new day", cash_register.ladder:124
   rung36_power <= new_day and not new_day_before;
   profit_next <= to_unsigned(0, 32) when rung36_power = '1' else profit_rung35;
   sold_0_next <= to_unsigned(0, 32) when rung36_power = '1' else sold_0_rung35;

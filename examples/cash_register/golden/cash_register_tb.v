@@ -636,23 +636,23 @@ module cash_register_tb;
     scan(1, 1'b0);
     key_combo = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_0 !== 1'b1) begin // cash_register.ladder:128
+    #1 if (!failed && &expect_0 !== 1'b1) begin // cash_register.ladder:130
       failed = 1'b1;
-      $display("# failed expectation 0 conducts %b lamp_combo=%b lamp_fries=%b subtotal=%b tax=%b total=%b at %0s", expect_0, lamp_combo, lamp_fries, subtotal, tax, total, "cash_register.ladder:128");
+      $display("# failed expectation 0 conducts %b lamp_combo=%b lamp_fries=%b subtotal=%b tax=%b total=%b at %0s", expect_0, lamp_combo, lamp_fries, subtotal, tax, total, "cash_register.ladder:130");
     end
     key_fries = 1'd1;
     scan(1, 1'b0);
     key_fries = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_1 !== 1'b1) begin // cash_register.ladder:130
+    #1 if (!failed && &expect_1 !== 1'b1) begin // cash_register.ladder:132
       failed = 1'b1;
-      $display("# failed expectation 1 conducts %b lamp_combo=%b lamp_fries=%b subtotal=%b tax=%b total=%b at %0s", expect_1, lamp_combo, lamp_fries, subtotal, tax, total, "cash_register.ladder:130");
+      $display("# failed expectation 1 conducts %b lamp_combo=%b lamp_fries=%b subtotal=%b tax=%b total=%b at %0s", expect_1, lamp_combo, lamp_fries, subtotal, tax, total, "cash_register.ladder:132");
     end
     to_go = 1'd1;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_2 !== 1'b1) begin // cash_register.ladder:132
+    #1 if (!failed && &expect_2 !== 1'b1) begin // cash_register.ladder:134
       failed = 1'b1;
-      $display("# failed expectation 2 conducts %b subtotal=%b tax=%b total=%b at %0s", expect_2, subtotal, tax, total, "cash_register.ladder:132");
+      $display("# failed expectation 2 conducts %b subtotal=%b tax=%b total=%b at %0s", expect_2, subtotal, tax, total, "cash_register.ladder:134");
     end
     if (failed) begin
       failures = failures + 1;
@@ -667,49 +667,49 @@ module cash_register_tb;
     scan(1, 1'b0);
     key_combo = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_3 !== 1'b1) begin // cash_register.ladder:137
+    #1 if (!failed && &expect_3 !== 1'b1) begin // cash_register.ladder:139
       failed = 1'b1;
-      $display("# failed expectation 3 conducts %b total=%b lamp_combo=%b at %0s", expect_3, total, lamp_combo, "cash_register.ladder:137");
+      $display("# failed expectation 3 conducts %b total=%b lamp_combo=%b at %0s", expect_3, total, lamp_combo, "cash_register.ladder:139");
     end
     key_double = 1'd1;
     scan(1, 1'b0);
     key_double = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_4 !== 1'b1) begin // cash_register.ladder:139
+    #1 if (!failed && &expect_4 !== 1'b1) begin // cash_register.ladder:141
       failed = 1'b1;
-      $display("# failed expectation 4 conducts %b total=%b lamp_double=%b at %0s", expect_4, total, lamp_double, "cash_register.ladder:139");
+      $display("# failed expectation 4 conducts %b total=%b lamp_double=%b at %0s", expect_4, total, lamp_double, "cash_register.ladder:141");
     end
     key_junior = 1'd1;
     scan(1, 1'b0);
     key_junior = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_5 !== 1'b1) begin // cash_register.ladder:141
+    #1 if (!failed && &expect_5 !== 1'b1) begin // cash_register.ladder:143
       failed = 1'b1;
-      $display("# failed expectation 5 conducts %b total=%b lamp_junior=%b at %0s", expect_5, total, lamp_junior, "cash_register.ladder:141");
+      $display("# failed expectation 5 conducts %b total=%b lamp_junior=%b at %0s", expect_5, total, lamp_junior, "cash_register.ladder:143");
     end
     key_burger = 1'd1;
     scan(1, 1'b0);
     key_burger = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_6 !== 1'b1) begin // cash_register.ladder:143
+    #1 if (!failed && &expect_6 !== 1'b1) begin // cash_register.ladder:145
       failed = 1'b1;
-      $display("# failed expectation 6 conducts %b total=%b lamp_burger=%b at %0s", expect_6, total, lamp_burger, "cash_register.ladder:143");
+      $display("# failed expectation 6 conducts %b total=%b lamp_burger=%b at %0s", expect_6, total, lamp_burger, "cash_register.ladder:145");
     end
     key_drink = 1'd1;
     scan(1, 1'b0);
     key_drink = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_7 !== 1'b1) begin // cash_register.ladder:145
+    #1 if (!failed && &expect_7 !== 1'b1) begin // cash_register.ladder:147
       failed = 1'b1;
-      $display("# failed expectation 7 conducts %b total=%b lamp_drink=%b at %0s", expect_7, total, lamp_drink, "cash_register.ladder:145");
+      $display("# failed expectation 7 conducts %b total=%b lamp_drink=%b at %0s", expect_7, total, lamp_drink, "cash_register.ladder:147");
     end
     key_drink = 1'd1;
     scan(1, 1'b0);
     key_drink = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_8 !== 1'b1) begin // cash_register.ladder:147
+    #1 if (!failed && &expect_8 !== 1'b1) begin // cash_register.ladder:149
       failed = 1'b1;
-      $display("# failed expectation 8 conducts %b total=%b at %0s", expect_8, total, "cash_register.ladder:147");
+      $display("# failed expectation 8 conducts %b total=%b at %0s", expect_8, total, "cash_register.ladder:149");
     end
     if (failed) begin
       failures = failures + 1;
@@ -723,9 +723,9 @@ module cash_register_tb;
     scan(1, 1'b0);
     key_junior = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_9 !== 1'b1) begin // cash_register.ladder:151
+    #1 if (!failed && &expect_9 !== 1'b1) begin // cash_register.ladder:153
       failed = 1'b1;
-      $display("# failed expectation 9 conducts %b tax=%b at %0s", expect_9, tax, "cash_register.ladder:151");
+      $display("# failed expectation 9 conducts %b tax=%b at %0s", expect_9, tax, "cash_register.ladder:153");
     end
     new_order = 1'd1;
     scan(1, 1'b0);
@@ -737,9 +737,9 @@ module cash_register_tb;
       key_drink = 1'd0;
       scan(1, 1'b0);
     end
-    #1 if (!failed && &expect_10 !== 1'b1) begin // cash_register.ladder:154
+    #1 if (!failed && &expect_10 !== 1'b1) begin // cash_register.ladder:156
       failed = 1'b1;
-      $display("# failed expectation 10 conducts %b subtotal=%b tax=%b at %0s", expect_10, subtotal, tax, "cash_register.ladder:154");
+      $display("# failed expectation 10 conducts %b subtotal=%b tax=%b at %0s", expect_10, subtotal, tax, "cash_register.ladder:156");
     end
     new_order = 1'd1;
     scan(1, 1'b0);
@@ -751,9 +751,9 @@ module cash_register_tb;
       key_double = 1'd0;
       scan(1, 1'b0);
     end
-    #1 if (!failed && &expect_11 !== 1'b1) begin // cash_register.ladder:157
+    #1 if (!failed && &expect_11 !== 1'b1) begin // cash_register.ladder:159
       failed = 1'b1;
-      $display("# failed expectation 11 conducts %b subtotal=%b tax=%b at %0s", expect_11, subtotal, tax, "cash_register.ladder:157");
+      $display("# failed expectation 11 conducts %b subtotal=%b tax=%b at %0s", expect_11, subtotal, tax, "cash_register.ladder:159");
     end
     if (failed) begin
       failures = failures + 1;
@@ -772,25 +772,25 @@ module cash_register_tb;
     scan(1, 1'b0);
     key_drink = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_12 !== 1'b1) begin // cash_register.ladder:163
+    #1 if (!failed && &expect_12 !== 1'b1) begin // cash_register.ladder:165
       failed = 1'b1;
-      $display("# failed expectation 12 conducts %b total=%b at %0s", expect_12, total, "cash_register.ladder:163");
+      $display("# failed expectation 12 conducts %b total=%b at %0s", expect_12, total, "cash_register.ladder:165");
     end
     key_fries = 1'd1;
     scan(1, 1'b0);
     key_fries = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_13 !== 1'b1) begin // cash_register.ladder:165
+    #1 if (!failed && &expect_13 !== 1'b1) begin // cash_register.ladder:167
       failed = 1'b1;
-      $display("# failed expectation 13 conducts %b total=%b lamp_burger=%b lamp_fries=%b lamp_drink=%b lamp_combo=%b at %0s", expect_13, total, lamp_burger, lamp_fries, lamp_drink, lamp_combo, "cash_register.ladder:165");
+      $display("# failed expectation 13 conducts %b total=%b lamp_burger=%b lamp_fries=%b lamp_drink=%b lamp_combo=%b at %0s", expect_13, total, lamp_burger, lamp_fries, lamp_drink, lamp_combo, "cash_register.ladder:167");
     end
     key_fries = 1'd1;
     scan(1, 1'b0);
     key_fries = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_14 !== 1'b1) begin // cash_register.ladder:167
+    #1 if (!failed && &expect_14 !== 1'b1) begin // cash_register.ladder:169
       failed = 1'b1;
-      $display("# failed expectation 14 conducts %b total=%b at %0s", expect_14, total, "cash_register.ladder:167");
+      $display("# failed expectation 14 conducts %b total=%b at %0s", expect_14, total, "cash_register.ladder:169");
     end
     key_burger = 1'd1;
     scan(1, 1'b0);
@@ -800,17 +800,17 @@ module cash_register_tb;
     scan(1, 1'b0);
     key_drink = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_15 !== 1'b1) begin // cash_register.ladder:170
+    #1 if (!failed && &expect_15 !== 1'b1) begin // cash_register.ladder:172
       failed = 1'b1;
-      $display("# failed expectation 15 conducts %b total=%b at %0s", expect_15, total, "cash_register.ladder:170");
+      $display("# failed expectation 15 conducts %b total=%b at %0s", expect_15, total, "cash_register.ladder:172");
     end
     cancel_last = 1'd1;
     scan(1, 1'b0);
     cancel_last = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_16 !== 1'b1) begin // cash_register.ladder:172
+    #1 if (!failed && &expect_16 !== 1'b1) begin // cash_register.ladder:174
       failed = 1'b1;
-      $display("# failed expectation 16 conducts %b total=%b at %0s", expect_16, total, "cash_register.ladder:172");
+      $display("# failed expectation 16 conducts %b total=%b at %0s", expect_16, total, "cash_register.ladder:174");
     end
     if (failed) begin
       failures = failures + 1;
@@ -837,33 +837,33 @@ module cash_register_tb;
     scan(1, 1'b0);
     key_drink = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_17 !== 1'b1) begin // cash_register.ladder:180
+    #1 if (!failed && &expect_17 !== 1'b1) begin // cash_register.ladder:182
       failed = 1'b1;
-      $display("# failed expectation 17 conducts %b total=%b at %0s", expect_17, total, "cash_register.ladder:180");
+      $display("# failed expectation 17 conducts %b total=%b at %0s", expect_17, total, "cash_register.ladder:182");
     end
     cancel_last = 1'd1;
     scan(1, 1'b0);
     cancel_last = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_18 !== 1'b1) begin // cash_register.ladder:182
+    #1 if (!failed && &expect_18 !== 1'b1) begin // cash_register.ladder:184
       failed = 1'b1;
-      $display("# failed expectation 18 conducts %b total=%b lamp_drink=%b at %0s", expect_18, total, lamp_drink, "cash_register.ladder:182");
+      $display("# failed expectation 18 conducts %b total=%b lamp_drink=%b at %0s", expect_18, total, lamp_drink, "cash_register.ladder:184");
     end
     cancel_last = 1'd1;
     scan(1, 1'b0);
     cancel_last = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_19 !== 1'b1) begin // cash_register.ladder:184
+    #1 if (!failed && &expect_19 !== 1'b1) begin // cash_register.ladder:186
       failed = 1'b1;
-      $display("# failed expectation 19 conducts %b total=%b lamp_combo=%b lamp_fries=%b at %0s", expect_19, total, lamp_combo, lamp_fries, "cash_register.ladder:184");
+      $display("# failed expectation 19 conducts %b total=%b lamp_combo=%b lamp_fries=%b at %0s", expect_19, total, lamp_combo, lamp_fries, "cash_register.ladder:186");
     end
     cancel_last = 1'd1;
     scan(1, 1'b0);
     cancel_last = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_20 !== 1'b1) begin // cash_register.ladder:186
+    #1 if (!failed && &expect_20 !== 1'b1) begin // cash_register.ladder:188
       failed = 1'b1;
-      $display("# failed expectation 20 conducts %b total=%b lamp_fries=%b at %0s", expect_20, total, lamp_fries, "cash_register.ladder:186");
+      $display("# failed expectation 20 conducts %b total=%b lamp_fries=%b at %0s", expect_20, total, lamp_fries, "cash_register.ladder:188");
     end
     repeat (3) begin
       cancel_last = 1'd1;
@@ -871,17 +871,17 @@ module cash_register_tb;
       cancel_last = 1'd0;
       scan(1, 1'b0);
     end
-    #1 if (!failed && &expect_21 !== 1'b1) begin // cash_register.ladder:188
+    #1 if (!failed && &expect_21 !== 1'b1) begin // cash_register.ladder:190
       failed = 1'b1;
-      $display("# failed expectation 21 conducts %b total=%b lamp_combo=%b at %0s", expect_21, total, lamp_combo, "cash_register.ladder:188");
+      $display("# failed expectation 21 conducts %b total=%b lamp_combo=%b at %0s", expect_21, total, lamp_combo, "cash_register.ladder:190");
     end
     key_drink = 1'd1;
     scan(1, 1'b0);
     key_drink = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_22 !== 1'b1) begin // cash_register.ladder:190
+    #1 if (!failed && &expect_22 !== 1'b1) begin // cash_register.ladder:192
       failed = 1'b1;
-      $display("# failed expectation 22 conducts %b total=%b lamp_drink=%b at %0s", expect_22, total, lamp_drink, "cash_register.ladder:190");
+      $display("# failed expectation 22 conducts %b total=%b lamp_drink=%b at %0s", expect_22, total, lamp_drink, "cash_register.ladder:192");
     end
     if (failed) begin
       failures = failures + 1;
@@ -900,15 +900,15 @@ module cash_register_tb;
     scan(1, 1'b0);
     key_drink = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_23 !== 1'b1) begin // cash_register.ladder:196
+    #1 if (!failed && &expect_23 !== 1'b1) begin // cash_register.ladder:198
       failed = 1'b1;
-      $display("# failed expectation 23 conducts %b total=%b at %0s", expect_23, total, "cash_register.ladder:196");
+      $display("# failed expectation 23 conducts %b total=%b at %0s", expect_23, total, "cash_register.ladder:198");
     end
     cancel_last = 1'd1;
     scan(5, 1'b0);
-    #1 if (!failed && &expect_24 !== 1'b1) begin // cash_register.ladder:198
+    #1 if (!failed && &expect_24 !== 1'b1) begin // cash_register.ladder:200
       failed = 1'b1;
-      $display("# failed expectation 24 conducts %b total=%b at %0s", expect_24, total, "cash_register.ladder:198");
+      $display("# failed expectation 24 conducts %b total=%b at %0s", expect_24, total, "cash_register.ladder:200");
     end
     if (failed) begin
       failures = failures + 1;
@@ -922,9 +922,9 @@ module cash_register_tb;
     key_combo = 1'd1;
     key_drink = 1'd1;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_25 !== 1'b1) begin // cash_register.ladder:203
+    #1 if (!failed && &expect_25 !== 1'b1) begin // cash_register.ladder:205
       failed = 1'b1;
-      $display("# failed expectation 25 conducts %b total=%b lamp_drink=%b at %0s", expect_25, total, lamp_drink, "cash_register.ladder:203");
+      $display("# failed expectation 25 conducts %b total=%b lamp_drink=%b at %0s", expect_25, total, lamp_drink, "cash_register.ladder:205");
     end
     key_combo = 1'd0;
     key_drink = 1'd0;
@@ -932,9 +932,9 @@ module cash_register_tb;
     key_fries = 1'd1;
     cancel_last = 1'd1;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_26 !== 1'b1) begin // cash_register.ladder:206
+    #1 if (!failed && &expect_26 !== 1'b1) begin // cash_register.ladder:208
       failed = 1'b1;
-      $display("# failed expectation 26 conducts %b total=%b at %0s", expect_26, total, "cash_register.ladder:206");
+      $display("# failed expectation 26 conducts %b total=%b at %0s", expect_26, total, "cash_register.ladder:208");
     end
     key_fries = 1'd0;
     cancel_last = 1'd0;
@@ -943,9 +943,9 @@ module cash_register_tb;
     scan(1, 1'b0);
     cancel_last = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_27 !== 1'b1) begin // cash_register.ladder:209
+    #1 if (!failed && &expect_27 !== 1'b1) begin // cash_register.ladder:211
       failed = 1'b1;
-      $display("# failed expectation 27 conducts %b total=%b at %0s", expect_27, total, "cash_register.ladder:209");
+      $display("# failed expectation 27 conducts %b total=%b at %0s", expect_27, total, "cash_register.ladder:211");
     end
     if (failed) begin
       failures = failures + 1;
@@ -966,15 +966,15 @@ module cash_register_tb;
     scan(1, 1'b0);
     key_drink = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_28 !== 1'b1) begin // cash_register.ladder:215
+    #1 if (!failed && &expect_28 !== 1'b1) begin // cash_register.ladder:217
       failed = 1'b1;
-      $display("# failed expectation 28 conducts %b profit=%b sold_0=%b paid=%b at %0s", expect_28, profit, sold_0, paid, "cash_register.ladder:215");
+      $display("# failed expectation 28 conducts %b profit=%b sold_0=%b paid=%b at %0s", expect_28, profit, sold_0, paid, "cash_register.ladder:217");
     end
     total_key = 1'd1;
     scan(5, 1'b0);
-    #1 if (!failed && &expect_29 !== 1'b1) begin // cash_register.ladder:217
+    #1 if (!failed && &expect_29 !== 1'b1) begin // cash_register.ladder:219
       failed = 1'b1;
-      $display("# failed expectation 29 conducts %b paid=%b total=%b profit=%b sold_0=%b sold_5=%b sold_4=%b at %0s", expect_29, paid, total, profit, sold_0, sold_5, sold_4, "cash_register.ladder:217");
+      $display("# failed expectation 29 conducts %b paid=%b total=%b profit=%b sold_0=%b sold_5=%b sold_4=%b at %0s", expect_29, paid, total, profit, sold_0, sold_5, sold_4, "cash_register.ladder:219");
     end
     total_key = 1'd0;
     scan(1, 1'b0);
@@ -990,17 +990,17 @@ module cash_register_tb;
     scan(1, 1'b0);
     total_key = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_30 !== 1'b1) begin // cash_register.ladder:223
+    #1 if (!failed && &expect_30 !== 1'b1) begin // cash_register.ladder:225
       failed = 1'b1;
-      $display("# failed expectation 30 conducts %b paid=%b total=%b profit=%b sold_0=%b at %0s", expect_30, paid, total, profit, sold_0, "cash_register.ladder:223");
+      $display("# failed expectation 30 conducts %b paid=%b total=%b profit=%b sold_0=%b at %0s", expect_30, paid, total, profit, sold_0, "cash_register.ladder:225");
     end
     new_order = 1'd1;
     scan(1, 1'b0);
     new_order = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_31 !== 1'b1) begin // cash_register.ladder:225
+    #1 if (!failed && &expect_31 !== 1'b1) begin // cash_register.ladder:227
       failed = 1'b1;
-      $display("# failed expectation 31 conducts %b paid=%b total=%b lamp_combo=%b profit=%b at %0s", expect_31, paid, total, lamp_combo, profit, "cash_register.ladder:225");
+      $display("# failed expectation 31 conducts %b paid=%b total=%b lamp_combo=%b profit=%b at %0s", expect_31, paid, total, lamp_combo, profit, "cash_register.ladder:227");
     end
     cancel_last = 1'd1;
     scan(1, 1'b0);
@@ -1014,9 +1014,9 @@ module cash_register_tb;
     scan(1, 1'b0);
     total_key = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_32 !== 1'b1) begin // cash_register.ladder:229
+    #1 if (!failed && &expect_32 !== 1'b1) begin // cash_register.ladder:231
       failed = 1'b1;
-      $display("# failed expectation 32 conducts %b total=%b profit=%b sold_1=%b sold_0=%b at %0s", expect_32, total, profit, sold_1, sold_0, "cash_register.ladder:229");
+      $display("# failed expectation 32 conducts %b total=%b profit=%b sold_1=%b sold_0=%b at %0s", expect_32, total, profit, sold_1, sold_0, "cash_register.ladder:231");
     end
     if (failed) begin
       failures = failures + 1;
@@ -1034,17 +1034,17 @@ module cash_register_tb;
     scan(1, 1'b0);
     new_order = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_33 !== 1'b1) begin // cash_register.ladder:234
+    #1 if (!failed && &expect_33 !== 1'b1) begin // cash_register.ladder:236
       failed = 1'b1;
-      $display("# failed expectation 33 conducts %b total=%b profit=%b sold_0=%b at %0s", expect_33, total, profit, sold_0, "cash_register.ladder:234");
+      $display("# failed expectation 33 conducts %b total=%b profit=%b sold_0=%b at %0s", expect_33, total, profit, sold_0, "cash_register.ladder:236");
     end
     total_key = 1'd1;
     scan(1, 1'b0);
     total_key = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_34 !== 1'b1) begin // cash_register.ladder:236
+    #1 if (!failed && &expect_34 !== 1'b1) begin // cash_register.ladder:238
       failed = 1'b1;
-      $display("# failed expectation 34 conducts %b paid=%b profit=%b at %0s", expect_34, paid, profit, "cash_register.ladder:236");
+      $display("# failed expectation 34 conducts %b paid=%b profit=%b at %0s", expect_34, paid, profit, "cash_register.ladder:238");
     end
     if (failed) begin
       failures = failures + 1;
@@ -1070,9 +1070,9 @@ module cash_register_tb;
     scan(1, 1'b0);
     total_key = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_35 !== 1'b1) begin // cash_register.ladder:243
+    #1 if (!failed && &expect_35 !== 1'b1) begin // cash_register.ladder:245
       failed = 1'b1;
-      $display("# failed expectation 35 conducts %b profit=%b sold_3=%b sold_4=%b sold_5=%b sold_0=%b at %0s", expect_35, profit, sold_3, sold_4, sold_5, sold_0, "cash_register.ladder:243");
+      $display("# failed expectation 35 conducts %b profit=%b sold_3=%b sold_4=%b sold_5=%b sold_0=%b at %0s", expect_35, profit, sold_3, sold_4, sold_5, sold_0, "cash_register.ladder:245");
     end
     if (failed) begin
       failures = failures + 1;
@@ -1098,23 +1098,23 @@ module cash_register_tb;
     scan(1, 1'b0);
     key_burger = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_36 !== 1'b1) begin // cash_register.ladder:251
+    #1 if (!failed && &expect_36 !== 1'b1) begin // cash_register.ladder:253
       failed = 1'b1;
-      $display("# failed expectation 36 conducts %b profit=%b sold_2=%b at %0s", expect_36, profit, sold_2, "cash_register.ladder:251");
+      $display("# failed expectation 36 conducts %b profit=%b sold_2=%b at %0s", expect_36, profit, sold_2, "cash_register.ladder:253");
     end
     new_day = 1'd1;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_37 !== 1'b1) begin // cash_register.ladder:253
+    #1 if (!failed && &expect_37 !== 1'b1) begin // cash_register.ladder:255
       failed = 1'b1;
-      $display("# failed expectation 37 conducts %b profit=%b sold_2=%b lamp_burger=%b at %0s", expect_37, profit, sold_2, lamp_burger, "cash_register.ladder:253");
+      $display("# failed expectation 37 conducts %b profit=%b sold_2=%b lamp_burger=%b at %0s", expect_37, profit, sold_2, lamp_burger, "cash_register.ladder:255");
     end
     total_key = 1'd1;
     scan(1, 1'b0);
     total_key = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_38 !== 1'b1) begin // cash_register.ladder:255
+    #1 if (!failed && &expect_38 !== 1'b1) begin // cash_register.ladder:257
       failed = 1'b1;
-      $display("# failed expectation 38 conducts %b profit=%b sold_3=%b at %0s", expect_38, profit, sold_3, "cash_register.ladder:255");
+      $display("# failed expectation 38 conducts %b profit=%b sold_3=%b at %0s", expect_38, profit, sold_3, "cash_register.ladder:257");
     end
     if (failed) begin
       failures = failures + 1;
@@ -1135,9 +1135,9 @@ module cash_register_tb;
       key_drink = 1'd0;
       scan(1, 1'b0);
     end
-    #1 if (!failed && &expect_39 !== 1'b1) begin // cash_register.ladder:261
+    #1 if (!failed && &expect_39 !== 1'b1) begin // cash_register.ladder:263
       failed = 1'b1;
-      $display("# failed expectation 39 conducts %b total=%b at %0s", expect_39, total, "cash_register.ladder:261");
+      $display("# failed expectation 39 conducts %b total=%b at %0s", expect_39, total, "cash_register.ladder:263");
     end
     repeat (8) begin
       cancel_last = 1'd1;
@@ -1145,17 +1145,17 @@ module cash_register_tb;
       cancel_last = 1'd0;
       scan(1, 1'b0);
     end
-    #1 if (!failed && &expect_40 !== 1'b1) begin // cash_register.ladder:263
+    #1 if (!failed && &expect_40 !== 1'b1) begin // cash_register.ladder:265
       failed = 1'b1;
-      $display("# failed expectation 40 conducts %b total=%b lamp_combo=%b lamp_drink=%b at %0s", expect_40, total, lamp_combo, lamp_drink, "cash_register.ladder:263");
+      $display("# failed expectation 40 conducts %b total=%b lamp_combo=%b lamp_drink=%b at %0s", expect_40, total, lamp_combo, lamp_drink, "cash_register.ladder:265");
     end
     cancel_last = 1'd1;
     scan(1, 1'b0);
     cancel_last = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_41 !== 1'b1) begin // cash_register.ladder:265
+    #1 if (!failed && &expect_41 !== 1'b1) begin // cash_register.ladder:267
       failed = 1'b1;
-      $display("# failed expectation 41 conducts %b total=%b lamp_combo=%b at %0s", expect_41, total, lamp_combo, "cash_register.ladder:265");
+      $display("# failed expectation 41 conducts %b total=%b lamp_combo=%b at %0s", expect_41, total, lamp_combo, "cash_register.ladder:267");
     end
     key_fries = 1'd1;
     scan(1, 1'b0);
@@ -1165,9 +1165,9 @@ module cash_register_tb;
     scan(1, 1'b0);
     cancel_last = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_42 !== 1'b1) begin // cash_register.ladder:268
+    #1 if (!failed && &expect_42 !== 1'b1) begin // cash_register.ladder:270
       failed = 1'b1;
-      $display("# failed expectation 42 conducts %b total=%b at %0s", expect_42, total, "cash_register.ladder:268");
+      $display("# failed expectation 42 conducts %b total=%b at %0s", expect_42, total, "cash_register.ladder:270");
     end
     if (failed) begin
       failures = failures + 1;
@@ -1194,9 +1194,9 @@ module cash_register_tb;
     scan(1, 1'b0);
     key_drink = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_43 !== 1'b1) begin // cash_register.ladder:276
+    #1 if (!failed && &expect_43 !== 1'b1) begin // cash_register.ladder:278
       failed = 1'b1;
-      $display("# failed expectation 43 conducts %b total=%b lamp_combo=%b at %0s", expect_43, total, lamp_combo, "cash_register.ladder:276");
+      $display("# failed expectation 43 conducts %b total=%b lamp_combo=%b at %0s", expect_43, total, lamp_combo, "cash_register.ladder:278");
     end
     cancel_last = 1'd1;
     scan(1, 1'b0);
@@ -1206,9 +1206,9 @@ module cash_register_tb;
     scan(1, 1'b0);
     cancel_last = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_44 !== 1'b1) begin // cash_register.ladder:279
+    #1 if (!failed && &expect_44 !== 1'b1) begin // cash_register.ladder:281
       failed = 1'b1;
-      $display("# failed expectation 44 conducts %b total=%b at %0s", expect_44, total, "cash_register.ladder:279");
+      $display("# failed expectation 44 conducts %b total=%b at %0s", expect_44, total, "cash_register.ladder:281");
     end
     if (failed) begin
       failures = failures + 1;
@@ -1223,9 +1223,9 @@ module cash_register_tb;
     scan(1, 1'b0);
     new_order = 1'd0;
     scan(1, 1'b0);
-    #1 if (!failed && &expect_45 !== 1'b1) begin // cash_register.ladder:284
+    #1 if (!failed && &expect_45 !== 1'b1) begin // cash_register.ladder:286
       failed = 1'b1;
-      $display("# failed expectation 45 conducts %b total=%b lamp_combo=%b at %0s", expect_45, total, lamp_combo, "cash_register.ladder:284");
+      $display("# failed expectation 45 conducts %b total=%b lamp_combo=%b at %0s", expect_45, total, lamp_combo, "cash_register.ladder:286");
     end
     if (failed) begin
       failures = failures + 1;

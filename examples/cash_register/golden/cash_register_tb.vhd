@@ -627,7 +627,7 @@ begin
     scan(1, '0');
     key_combo <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:128
+    wait for 1 ns; -- cash_register.ladder:130
     if not failed and (expect_0_0 and expect_0_1 and expect_0_2 and expect_0_3 and expect_0_4) /= '1' then
       failed := true;
       print("# failed expectation 0 conducts " & image(expect_0_0) & image(expect_0_1) & image(expect_0_2) & image(expect_0_3) & image(expect_0_4)
@@ -641,7 +641,7 @@ begin
     scan(1, '0');
     key_fries <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:130
+    wait for 1 ns; -- cash_register.ladder:132
     if not failed and (expect_1_0 and expect_1_1 and expect_1_2 and expect_1_3 and expect_1_4) /= '1' then
       failed := true;
       print("# failed expectation 1 conducts " & image(expect_1_0) & image(expect_1_1) & image(expect_1_2) & image(expect_1_3) & image(expect_1_4)
@@ -653,7 +653,7 @@ begin
     end if;
     to_go <= '1';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:132
+    wait for 1 ns; -- cash_register.ladder:134
     if not failed and (expect_2_0 and expect_2_1 and expect_2_2) /= '1' then
       failed := true;
       print("# failed expectation 2 conducts " & image(expect_2_0) & image(expect_2_1) & image(expect_2_2)
@@ -676,7 +676,7 @@ begin
     scan(1, '0');
     key_combo <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:137
+    wait for 1 ns; -- cash_register.ladder:139
     if not failed and (expect_3_0 and expect_3_1) /= '1' then
       failed := true;
       print("# failed expectation 3 conducts " & image(expect_3_0) & image(expect_3_1)
@@ -687,7 +687,7 @@ begin
     scan(1, '0');
     key_double <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:139
+    wait for 1 ns; -- cash_register.ladder:141
     if not failed and (expect_4_0 and expect_4_1) /= '1' then
       failed := true;
       print("# failed expectation 4 conducts " & image(expect_4_0) & image(expect_4_1)
@@ -698,7 +698,7 @@ begin
     scan(1, '0');
     key_junior <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:141
+    wait for 1 ns; -- cash_register.ladder:143
     if not failed and (expect_5_0 and expect_5_1) /= '1' then
       failed := true;
       print("# failed expectation 5 conducts " & image(expect_5_0) & image(expect_5_1)
@@ -709,7 +709,7 @@ begin
     scan(1, '0');
     key_burger <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:143
+    wait for 1 ns; -- cash_register.ladder:145
     if not failed and (expect_6_0 and expect_6_1) /= '1' then
       failed := true;
       print("# failed expectation 6 conducts " & image(expect_6_0) & image(expect_6_1)
@@ -720,7 +720,7 @@ begin
     scan(1, '0');
     key_drink <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:145
+    wait for 1 ns; -- cash_register.ladder:147
     if not failed and (expect_7_0 and expect_7_1) /= '1' then
       failed := true;
       print("# failed expectation 7 conducts " & image(expect_7_0) & image(expect_7_1)
@@ -731,7 +731,7 @@ begin
     scan(1, '0');
     key_drink <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:147
+    wait for 1 ns; -- cash_register.ladder:149
     if not failed and (expect_8_0) /= '1' then
       failed := true;
       print("# failed expectation 8 conducts " & image(expect_8_0)
@@ -751,7 +751,7 @@ begin
     scan(1, '0');
     key_junior <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:151
+    wait for 1 ns; -- cash_register.ladder:153
     if not failed and (expect_9_0) /= '1' then
       failed := true;
       print("# failed expectation 9 conducts " & image(expect_9_0)
@@ -767,7 +767,7 @@ begin
       key_drink <= '0';
       scan(1, '0');
     end loop;
-    wait for 1 ns; -- cash_register.ladder:154
+    wait for 1 ns; -- cash_register.ladder:156
     if not failed and (expect_10_0 and expect_10_1) /= '1' then
       failed := true;
       print("# failed expectation 10 conducts " & image(expect_10_0) & image(expect_10_1)
@@ -784,7 +784,7 @@ begin
       key_double <= '0';
       scan(1, '0');
     end loop;
-    wait for 1 ns; -- cash_register.ladder:157
+    wait for 1 ns; -- cash_register.ladder:159
     if not failed and (expect_11_0 and expect_11_1) /= '1' then
       failed := true;
       print("# failed expectation 11 conducts " & image(expect_11_0) & image(expect_11_1)
@@ -810,7 +810,7 @@ begin
     scan(1, '0');
     key_drink <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:163
+    wait for 1 ns; -- cash_register.ladder:165
     if not failed and (expect_12_0) /= '1' then
       failed := true;
       print("# failed expectation 12 conducts " & image(expect_12_0)
@@ -820,7 +820,7 @@ begin
     scan(1, '0');
     key_fries <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:165
+    wait for 1 ns; -- cash_register.ladder:167
     if not failed and (expect_13_0 and expect_13_1 and expect_13_2 and expect_13_3 and expect_13_4) /= '1' then
       failed := true;
       print("# failed expectation 13 conducts " & image(expect_13_0) & image(expect_13_1) & image(expect_13_2) & image(expect_13_3) & image(expect_13_4)
@@ -834,7 +834,7 @@ begin
     scan(1, '0');
     key_fries <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:167
+    wait for 1 ns; -- cash_register.ladder:169
     if not failed and (expect_14_0) /= '1' then
       failed := true;
       print("# failed expectation 14 conducts " & image(expect_14_0)
@@ -848,7 +848,7 @@ begin
     scan(1, '0');
     key_drink <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:170
+    wait for 1 ns; -- cash_register.ladder:172
     if not failed and (expect_15_0) /= '1' then
       failed := true;
       print("# failed expectation 15 conducts " & image(expect_15_0)
@@ -858,7 +858,7 @@ begin
     scan(1, '0');
     cancel_last <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:172
+    wait for 1 ns; -- cash_register.ladder:174
     if not failed and (expect_16_0) /= '1' then
       failed := true;
       print("# failed expectation 16 conducts " & image(expect_16_0)
@@ -891,7 +891,7 @@ begin
     scan(1, '0');
     key_drink <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:180
+    wait for 1 ns; -- cash_register.ladder:182
     if not failed and (expect_17_0) /= '1' then
       failed := true;
       print("# failed expectation 17 conducts " & image(expect_17_0)
@@ -901,7 +901,7 @@ begin
     scan(1, '0');
     cancel_last <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:182
+    wait for 1 ns; -- cash_register.ladder:184
     if not failed and (expect_18_0 and expect_18_1) /= '1' then
       failed := true;
       print("# failed expectation 18 conducts " & image(expect_18_0) & image(expect_18_1)
@@ -912,7 +912,7 @@ begin
     scan(1, '0');
     cancel_last <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:184
+    wait for 1 ns; -- cash_register.ladder:186
     if not failed and (expect_19_0 and expect_19_1 and expect_19_2) /= '1' then
       failed := true;
       print("# failed expectation 19 conducts " & image(expect_19_0) & image(expect_19_1) & image(expect_19_2)
@@ -924,7 +924,7 @@ begin
     scan(1, '0');
     cancel_last <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:186
+    wait for 1 ns; -- cash_register.ladder:188
     if not failed and (expect_20_0 and expect_20_1) /= '1' then
       failed := true;
       print("# failed expectation 20 conducts " & image(expect_20_0) & image(expect_20_1)
@@ -937,7 +937,7 @@ begin
       cancel_last <= '0';
       scan(1, '0');
     end loop;
-    wait for 1 ns; -- cash_register.ladder:188
+    wait for 1 ns; -- cash_register.ladder:190
     if not failed and (expect_21_0 and expect_21_1) /= '1' then
       failed := true;
       print("# failed expectation 21 conducts " & image(expect_21_0) & image(expect_21_1)
@@ -948,7 +948,7 @@ begin
     scan(1, '0');
     key_drink <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:190
+    wait for 1 ns; -- cash_register.ladder:192
     if not failed and (expect_22_0 and expect_22_1) /= '1' then
       failed := true;
       print("# failed expectation 22 conducts " & image(expect_22_0) & image(expect_22_1)
@@ -974,7 +974,7 @@ begin
     scan(1, '0');
     key_drink <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:196
+    wait for 1 ns; -- cash_register.ladder:198
     if not failed and (expect_23_0) /= '1' then
       failed := true;
       print("# failed expectation 23 conducts " & image(expect_23_0)
@@ -982,7 +982,7 @@ begin
     end if;
     cancel_last <= '1';
     scan(5, '0');
-    wait for 1 ns; -- cash_register.ladder:198
+    wait for 1 ns; -- cash_register.ladder:200
     if not failed and (expect_24_0) /= '1' then
       failed := true;
       print("# failed expectation 24 conducts " & image(expect_24_0)
@@ -1002,7 +1002,7 @@ begin
     key_combo <= '1';
     key_drink <= '1';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:203
+    wait for 1 ns; -- cash_register.ladder:205
     if not failed and (expect_25_0 and expect_25_1) /= '1' then
       failed := true;
       print("# failed expectation 25 conducts " & image(expect_25_0) & image(expect_25_1)
@@ -1015,7 +1015,7 @@ begin
     key_fries <= '1';
     cancel_last <= '1';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:206
+    wait for 1 ns; -- cash_register.ladder:208
     if not failed and (expect_26_0) /= '1' then
       failed := true;
       print("# failed expectation 26 conducts " & image(expect_26_0)
@@ -1028,7 +1028,7 @@ begin
     scan(1, '0');
     cancel_last <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:209
+    wait for 1 ns; -- cash_register.ladder:211
     if not failed and (expect_27_0) /= '1' then
       failed := true;
       print("# failed expectation 27 conducts " & image(expect_27_0)
@@ -1055,7 +1055,7 @@ begin
     scan(1, '0');
     key_drink <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:215
+    wait for 1 ns; -- cash_register.ladder:217
     if not failed and (expect_28_0 and expect_28_1 and expect_28_2) /= '1' then
       failed := true;
       print("# failed expectation 28 conducts " & image(expect_28_0) & image(expect_28_1) & image(expect_28_2)
@@ -1065,7 +1065,7 @@ begin
     end if;
     total_key <= '1';
     scan(5, '0');
-    wait for 1 ns; -- cash_register.ladder:217
+    wait for 1 ns; -- cash_register.ladder:219
     if not failed and (expect_29_0 and expect_29_1 and expect_29_2 and expect_29_3 and expect_29_4 and expect_29_5) /= '1' then
       failed := true;
       print("# failed expectation 29 conducts " & image(expect_29_0) & image(expect_29_1) & image(expect_29_2) & image(expect_29_3) & image(expect_29_4) & image(expect_29_5)
@@ -1090,7 +1090,7 @@ begin
     scan(1, '0');
     total_key <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:223
+    wait for 1 ns; -- cash_register.ladder:225
     if not failed and (expect_30_0 and expect_30_1 and expect_30_2 and expect_30_3) /= '1' then
       failed := true;
       print("# failed expectation 30 conducts " & image(expect_30_0) & image(expect_30_1) & image(expect_30_2) & image(expect_30_3)
@@ -1103,7 +1103,7 @@ begin
     scan(1, '0');
     new_order <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:225
+    wait for 1 ns; -- cash_register.ladder:227
     if not failed and (expect_31_0 and expect_31_1 and expect_31_2 and expect_31_3) /= '1' then
       failed := true;
       print("# failed expectation 31 conducts " & image(expect_31_0) & image(expect_31_1) & image(expect_31_2) & image(expect_31_3)
@@ -1124,7 +1124,7 @@ begin
     scan(1, '0');
     total_key <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:229
+    wait for 1 ns; -- cash_register.ladder:231
     if not failed and (expect_32_0 and expect_32_1 and expect_32_2 and expect_32_3) /= '1' then
       failed := true;
       print("# failed expectation 32 conducts " & image(expect_32_0) & image(expect_32_1) & image(expect_32_2) & image(expect_32_3)
@@ -1151,7 +1151,7 @@ begin
     scan(1, '0');
     new_order <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:234
+    wait for 1 ns; -- cash_register.ladder:236
     if not failed and (expect_33_0 and expect_33_1 and expect_33_2) /= '1' then
       failed := true;
       print("# failed expectation 33 conducts " & image(expect_33_0) & image(expect_33_1) & image(expect_33_2)
@@ -1163,7 +1163,7 @@ begin
     scan(1, '0');
     total_key <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:236
+    wait for 1 ns; -- cash_register.ladder:238
     if not failed and (expect_34_0 and expect_34_1) /= '1' then
       failed := true;
       print("# failed expectation 34 conducts " & image(expect_34_0) & image(expect_34_1)
@@ -1196,7 +1196,7 @@ begin
     scan(1, '0');
     total_key <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:243
+    wait for 1 ns; -- cash_register.ladder:245
     if not failed and (expect_35_0 and expect_35_1 and expect_35_2 and expect_35_3 and expect_35_4) /= '1' then
       failed := true;
       print("# failed expectation 35 conducts " & image(expect_35_0) & image(expect_35_1) & image(expect_35_2) & image(expect_35_3) & image(expect_35_4)
@@ -1232,7 +1232,7 @@ begin
     scan(1, '0');
     key_burger <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:251
+    wait for 1 ns; -- cash_register.ladder:253
     if not failed and (expect_36_0 and expect_36_1) /= '1' then
       failed := true;
       print("# failed expectation 36 conducts " & image(expect_36_0) & image(expect_36_1)
@@ -1241,7 +1241,7 @@ begin
     end if;
     new_day <= '1';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:253
+    wait for 1 ns; -- cash_register.ladder:255
     if not failed and (expect_37_0 and expect_37_1 and expect_37_2) /= '1' then
       failed := true;
       print("# failed expectation 37 conducts " & image(expect_37_0) & image(expect_37_1) & image(expect_37_2)
@@ -1253,7 +1253,7 @@ begin
     scan(1, '0');
     total_key <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:255
+    wait for 1 ns; -- cash_register.ladder:257
     if not failed and (expect_38_0 and expect_38_1) /= '1' then
       failed := true;
       print("# failed expectation 38 conducts " & image(expect_38_0) & image(expect_38_1)
@@ -1281,7 +1281,7 @@ begin
       key_drink <= '0';
       scan(1, '0');
     end loop;
-    wait for 1 ns; -- cash_register.ladder:261
+    wait for 1 ns; -- cash_register.ladder:263
     if not failed and (expect_39_0) /= '1' then
       failed := true;
       print("# failed expectation 39 conducts " & image(expect_39_0)
@@ -1293,7 +1293,7 @@ begin
       cancel_last <= '0';
       scan(1, '0');
     end loop;
-    wait for 1 ns; -- cash_register.ladder:263
+    wait for 1 ns; -- cash_register.ladder:265
     if not failed and (expect_40_0 and expect_40_1 and expect_40_2) /= '1' then
       failed := true;
       print("# failed expectation 40 conducts " & image(expect_40_0) & image(expect_40_1) & image(expect_40_2)
@@ -1305,7 +1305,7 @@ begin
     scan(1, '0');
     cancel_last <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:265
+    wait for 1 ns; -- cash_register.ladder:267
     if not failed and (expect_41_0 and expect_41_1) /= '1' then
       failed := true;
       print("# failed expectation 41 conducts " & image(expect_41_0) & image(expect_41_1)
@@ -1320,7 +1320,7 @@ begin
     scan(1, '0');
     cancel_last <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:268
+    wait for 1 ns; -- cash_register.ladder:270
     if not failed and (expect_42_0) /= '1' then
       failed := true;
       print("# failed expectation 42 conducts " & image(expect_42_0)
@@ -1353,7 +1353,7 @@ begin
     scan(1, '0');
     key_drink <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:276
+    wait for 1 ns; -- cash_register.ladder:278
     if not failed and (expect_43_0 and expect_43_1) /= '1' then
       failed := true;
       print("# failed expectation 43 conducts " & image(expect_43_0) & image(expect_43_1)
@@ -1368,7 +1368,7 @@ begin
     scan(1, '0');
     cancel_last <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:279
+    wait for 1 ns; -- cash_register.ladder:281
     if not failed and (expect_44_0) /= '1' then
       failed := true;
       print("# failed expectation 44 conducts " & image(expect_44_0)
@@ -1389,7 +1389,7 @@ begin
     scan(1, '0');
     new_order <= '0';
     scan(1, '0');
-    wait for 1 ns; -- cash_register.ladder:284
+    wait for 1 ns; -- cash_register.ladder:286
     if not failed and (expect_45_0 and expect_45_1) /= '1' then
       failed := true;
       print("# failed expectation 45 conducts " & image(expect_45_0) & image(expect_45_1)

@@ -43,12 +43,12 @@ module cash_register_top (
   end
   wire core_rst = reset_pipe[1];
 
-  // Tick: every 12000 clocks of 12 MHz, wanted every 1 ms, error 0 ppm.
-  reg [13:0] prescaler = 14'd0;
-  wire tick = prescaler == 14'd11999;
+  // Tick: every 1000 clocks of 1 MHz, wanted every 1 ms, error 0 ppm.
+  reg [9:0] prescaler = 10'd0;
+  wire tick = prescaler == 10'd999;
   always @(posedge clk) begin
-    if (core_rst) prescaler <= 14'd0;
-    else prescaler <= tick ? 14'd0 : prescaler + 14'd1;
+    if (core_rst) prescaler <= 10'd0;
+    else prescaler <= tick ? 10'd0 : prescaler + 10'd1;
   end
 
   // Inputs: two flip-flops for each bit.

@@ -45,7 +45,7 @@ architecture rtl of cash_register_top is
   signal reset_pipe : std_logic_vector(1 downto 0) := "11";
   attribute async_reg of reset_pipe : signal is "TRUE";
   signal core_rst : std_logic;
-  signal prescaler : unsigned(13 downto 0) := (others => '0');
+  signal prescaler : unsigned(9 downto 0) := (others => '0');
   signal tick : std_logic;
   signal key_combo_meta : std_logic := '0';
   signal key_combo_sync : std_logic := '0';
@@ -104,8 +104,8 @@ begin
   end process;
   core_rst <= reset_pipe(1);
 
-  -- Tick: every 12000 clocks of 12 MHz, wanted every 1 ms, error 0 ppm.
-  tick <= '1' when prescaler = 11999 else '0';
+  -- Tick: every 1000 clocks of 1 MHz, wanted every 1 ms, error 0 ppm.
+  tick <= '1' when prescaler = 999 else '0';
   process (clk)
   begin
     if rising_edge(clk) then

@@ -12,37 +12,15 @@ use ieee.numeric_std.all;
 
 entity drum_sequence_DIVIDER_N1 is
   port (
-    clk  : in  std_logic;
-    rst  : in  std_logic;
     tick : in  std_logic;
     Q    : out std_logic
   );
 end entity drum_sequence_DIVIDER_N1;
 
 architecture rtl of drum_sequence_DIVIDER_N1 is
-  signal CV : unsigned(31 downto 0) := (others => '0');
-  signal equal : std_logic;
-  signal Q_value : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal CV_next : unsigned(31 downto 0);
 begin
-  equal <= '1' when CV = 0 else '0';
-  Q_value <= tick and equal;
-  sum <= CV + (to_unsigned(0, 31) & tick);
-  CV_next <= to_unsigned(0, 32) when Q_value = '1' else sum;
 
-  Q <= Q_value;
-
-  process (clk)
-  begin
-    if rising_edge(clk) then
-      if rst = '1' then
-        CV <= (others => '0');
-      else
-        CV <= CV_next;
-      end if;
-    end if;
-  end process;
+  Q <= tick;
 end architecture rtl;
 
 -- DRUM: drum counter, TAPS = [1, 3, 5, 9]
@@ -74,23 +52,29 @@ end entity drum_sequence_DRUM_PV12;
 
 architecture rtl of drum_sequence_DRUM_PV12 is
   signal Q : std_logic := '0';
-  signal ACC : unsigned(15 downto 0) := (others => '0');
+  signal ACC : unsigned(3 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(15 downto 0);
-  signal ACC_next : unsigned(15 downto 0);
+  signal condition : std_logic;
+  signal equal : std_logic;
+  signal sum : unsigned(3 downto 0);
+  signal ACC_next : unsigned(3 downto 0);
+  signal equal_2 : std_logic;
   signal Q_next : std_logic;
+  signal equal_3 : std_logic;
 begin
-  less <= '1' when signed(ACC) < 2047 else '0';
-  sum <= ACC + (to_unsigned(0, 15) & (power and not was and less));
-  ACC_next <= sum when EN = '1' else to_unsigned(0, 16);
-  Q_next <= '1' when signed(ACC_next) >= 12 else '0';
+  condition <= power and not was;
+  equal <= '1' when ACC = 12 else '0';
+  sum <= ACC + (to_unsigned(0, 3) & (condition and not equal));
+  ACC_next <= sum when EN = '1' else to_unsigned(0, 4);
+  equal_2 <= '1' when ACC = 11 else '0';
+  Q_next <= EN and ((condition and equal_2) or equal);
+  equal_3 <= '1' when ACC = 0 else '0';
 
   Q_last <= Q;
-  TAP0 <= '1' when signed(ACC_next) >= 1 else '0';
-  TAP1 <= '1' when signed(ACC_next) >= 3 else '0';
-  TAP2 <= '1' when signed(ACC_next) >= 5 else '0';
-  TAP3 <= '1' when signed(ACC_next) >= 9 else '0';
+  TAP0 <= not (not EN or (not condition and equal_3));
+  TAP1 <= '1' when ACC_next >= 3 else '0';
+  TAP2 <= '1' when ACC_next >= 5 else '0';
+  TAP3 <= '1' when ACC_next >= 9 else '0';
 
   process (clk)
   begin
@@ -133,19 +117,21 @@ end entity drum_sequence_T0_1_PV10;
 
 architecture rtl of drum_sequence_T0_1_PV10 is
   signal Q_reg : std_logic := '0';
-  signal ACC : unsigned(15 downto 0) := (others => '0');
+  signal ACC : unsigned(3 downto 0) := (others => '0');
   signal ran : std_logic := '0';
   signal ran_next : std_logic;
-  signal less : std_logic;
-  signal sum : unsigned(15 downto 0);
-  signal ACC_next : unsigned(15 downto 0);
+  signal equal : std_logic;
+  signal sum : unsigned(3 downto 0);
+  signal ACC_next : unsigned(3 downto 0);
+  signal equal_2 : std_logic;
   signal Q_next : std_logic;
 begin
   ran_next <= power and EN;
-  less <= '1' when signed(ACC) < 10 else '0';
-  sum <= ACC + (to_unsigned(0, 15) & (ran_next and ran and unit and less));
-  ACC_next <= sum when EN = '1' else to_unsigned(0, 16);
-  Q_next <= '1' when signed(ACC_next) >= 10 else '0';
+  equal <= '1' when ACC = 10 else '0';
+  sum <= ACC + (to_unsigned(0, 3) & (ran_next and ran and unit and not equal));
+  ACC_next <= sum when EN = '1' else to_unsigned(0, 4);
+  equal_2 <= '1' when ACC = 9 else '0';
+  Q_next <= EN and ((ran_next and ran and unit and equal_2) or equal);
 
   Q <= Q_next;
   Q_last <= Q_reg;
@@ -211,8 +197,6 @@ begin
   -- units of time, each a pulse that all blocks share
   every_100ms: entity work.drum_sequence_DIVIDER_N1
     port map (
-      clk => clk,
-      rst => rst,
       tick => tick,
       Q => every_100ms_Q
     );

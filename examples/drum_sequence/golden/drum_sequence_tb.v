@@ -13,27 +13,11 @@
 // Q    __#_____#_
 // CV   1201122201
 module drum_sequence_test_DIVIDER_N1 (
-  input  wire clk,
-  input  wire rst,
   input  wire tick,
   output wire Q
 );
-  reg [31:0] CV = 32'd0;
 
-  wire equal = CV == 32'd0;
-  wire Q_value = tick & equal;
-  wire [31:0] sum = CV + {31'b0, tick};
-  wire [31:0] CV_next = Q_value ? 32'd0 : sum;
-
-  assign Q = Q_value;
-
-  always @(posedge clk) begin
-    if (rst) begin
-      CV <= 32'd0;
-    end else begin
-      CV <= CV_next;
-    end
-  end
+  assign Q = tick;
 endmodule
 
 // DRUM: drum counter, TAPS = [1, 3, 5, 9]
@@ -51,32 +35,34 @@ module drum_sequence_test_DRUM_PV12 (
   input  wire        power,
   input  wire        EN,
   output wire        Q_last,
-  output wire [15:0] ACC_last,
+  output wire [10:0] ACC_last,
   output wire        TAP0,
   output wire        TAP1,
   output wire        TAP2,
   output wire        TAP3
 );
   reg Q = 1'b0;
-  reg [15:0] ACC = 16'd0;
+  reg [10:0] ACC = 11'd0;
   reg was = 1'b0;
 
-  wire less = $signed(ACC) < 16'sd2047;
-  wire [15:0] sum = ACC + {15'b0, power & ~was & less};
-  wire [15:0] ACC_next = EN ? sum : 16'd0;
-  wire Q_next = $signed(ACC_next) >= 16'sd12;
+  wire condition = power & ~was;
+  wire unequal = ACC != 11'h7ff;
+  wire [10:0] sum = ACC + {10'b0, condition & unequal};
+  wire [10:0] ACC_next = EN ? sum : 11'd0;
+  wire Q_next = ACC_next >= 11'd12;
+  wire equal = ACC == 11'd0;
 
   assign Q_last = Q;
   assign ACC_last = ACC;
-  assign TAP0 = $signed(ACC_next) >= 16'sd1;
-  assign TAP1 = $signed(ACC_next) >= 16'sd3;
-  assign TAP2 = $signed(ACC_next) >= 16'sd5;
-  assign TAP3 = $signed(ACC_next) >= 16'sd9;
+  assign TAP0 = ~(~EN | ~condition & equal);
+  assign TAP1 = ACC_next >= 11'd3;
+  assign TAP2 = ACC_next >= 11'd5;
+  assign TAP3 = ACC_next >= 11'd9;
 
   always @(posedge clk) begin
     if (rst) begin
       Q <= 1'b0;
-      ACC <= 16'd0;
+      ACC <= 11'd0;
       was <= 1'b0;
     end else begin
       Q <= Q_next;
@@ -103,14 +89,15 @@ module drum_sequence_test_T0_1_PV10 (
   output wire Q_last
 );
   reg Q_reg = 1'b0;
-  reg [15:0] ACC = 16'd0;
+  reg [3:0] ACC = 4'd0;
   reg ran = 1'b0;
 
   wire ran_next = power & EN;
-  wire less = $signed(ACC) < 16'sd10;
-  wire [15:0] sum = ACC + {15'b0, ran_next & ran & unit & less};
-  wire [15:0] ACC_next = EN ? sum : 16'd0;
-  wire Q_next = $signed(ACC_next) >= 16'sd10;
+  wire equal = ACC == 4'ha;
+  wire [3:0] sum = ACC + {3'b0, ran_next & ran & unit & ~equal};
+  wire [3:0] ACC_next = EN ? sum : 4'd0;
+  wire equal_2 = ACC == 4'h9;
+  wire Q_next = EN & (ran_next & ran & unit & equal_2 | equal);
 
   assign Q = Q_next;
   assign Q_last = Q_reg;
@@ -118,7 +105,7 @@ module drum_sequence_test_T0_1_PV10 (
   always @(posedge clk) begin
     if (rst) begin
       Q_reg <= 1'b0;
-      ACC <= 16'd0;
+      ACC <= 4'd0;
       ran <= 1'b0;
     end else begin
       Q_reg <= Q_next;
@@ -150,15 +137,13 @@ module drum_sequence_test (
   // units of time, each a pulse that all blocks share
   wire every_100ms_Q;
   drum_sequence_test_DIVIDER_N1 every_100ms (
-    .clk(clk),
-    .rst(rst),
     .tick(tick),
     .Q(every_100ms_Q)
   );
 
   // rung 1 "from start to the end of the programme", drum_sequence.ladder:9
   wire drum_Q_last;
-  wire [15:0] drum_ACC_last;
+  wire [10:0] drum_ACC_last;
   wire drum_TAP0;
   wire drum_TAP1;
   wire drum_TAP2;
@@ -205,13 +190,14 @@ module drum_sequence_test (
 
   // rung 7 "pump off from step 9 to the end", drum_sequence.ladder:27
   wire pump_next = drum_TAP3 & running_next;
+  wire [15:0] drum_ACC_value = {5'b0, drum_ACC_last};
 
   assign water = water_reg;
   assign heater = heater_reg;
   assign motor = motor_reg;
   assign pump = pump_reg;
   assign running = running_reg;
-  assign drum_ACC = drum_ACC_last;
+  assign drum_ACC = drum_ACC_value;
 
   always @(posedge clk) begin
     if (rst) begin

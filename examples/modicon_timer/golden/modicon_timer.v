@@ -17,18 +17,18 @@ module modicon_timer_DIVIDER_N100 (
   input  wire tick,
   output wire Q
 );
-  reg [31:0] CV = 32'd0;
+  reg [6:0] CV = 7'd0;
 
-  wire equal = CV == 32'd99;
+  wire equal = CV == 7'h63;
   wire Q_value = tick & equal;
-  wire [31:0] sum = CV + {31'b0, tick};
-  wire [31:0] CV_next = Q_value ? 32'd0 : sum;
+  wire [6:0] sum = CV + {6'b0, tick};
+  wire [6:0] CV_next = Q_value ? 7'd0 : sum;
 
   assign Q = Q_value;
 
   always @(posedge clk) begin
     if (rst) begin
-      CV <= 32'd0;
+      CV <= 7'd0;
     end else begin
       CV <= CV_next;
     end
@@ -47,18 +47,18 @@ module modicon_timer_DIVIDER_N10 (
   input  wire tick,
   output wire Q
 );
-  reg [31:0] CV = 32'd0;
+  reg [3:0] CV = 4'd0;
 
-  wire equal = CV == 32'd9;
+  wire equal = CV == 4'h9;
   wire Q_value = tick & equal;
-  wire [31:0] sum = CV + {31'b0, tick};
-  wire [31:0] CV_next = Q_value ? 32'd0 : sum;
+  wire [3:0] sum = CV + {3'b0, tick};
+  wire [3:0] CV_next = Q_value ? 4'd0 : sum;
 
   assign Q = Q_value;
 
   always @(posedge clk) begin
     if (rst) begin
-      CV <= 32'd0;
+      CV <= 4'd0;
     end else begin
       CV <= CV_next;
     end
@@ -81,21 +81,22 @@ module modicon_timer_T1_0_PV5 (
   output wire Q,
   output wire QN
 );
-  reg [15:0] ACC = 16'd0;
+  reg [2:0] ACC = 3'd0;
   reg ran = 1'b0;
 
   wire ran_next = power & EN;
-  wire less = $signed(ACC) < 16'sd5;
-  wire [15:0] sum = ACC + {15'b0, ran_next & ran & unit & less};
-  wire [15:0] ACC_next = EN ? sum : 16'd0;
-  wire QN_value = $signed(ACC_next) < 16'sd5;
+  wire equal = ACC == 3'h5;
+  wire [2:0] sum = ACC + {2'b0, ran_next & ran & unit & ~equal};
+  wire [2:0] ACC_next = EN ? sum : 3'd0;
+  wire equal_2 = ACC == 3'h4;
+  wire Q_value = EN & (ran_next & ran & unit & equal_2 | equal);
 
-  assign Q = ~QN_value;
-  assign QN = QN_value;
+  assign Q = Q_value;
+  assign QN = ~Q_value;
 
   always @(posedge clk) begin
     if (rst) begin
-      ACC <= 16'd0;
+      ACC <= 3'd0;
       ran <= 1'b0;
     end else begin
       ACC <= ACC_next;
@@ -119,19 +120,17 @@ module modicon_timer_T1_0_PV1 (
   input  wire unit,
   output wire Q
 );
-  reg [15:0] ACC = 16'd0;
+  reg ACC = 1'b0;
   reg ran = 1'b0;
 
   wire ran_next = power & EN;
-  wire less = $signed(ACC) < 16'sd1;
-  wire [15:0] sum = ACC + {15'b0, ran_next & ran & unit & less};
-  wire [15:0] ACC_next = EN ? sum : 16'd0;
+  wire ACC_next = EN & (ACC ^ ran_next & ran & unit & ~ACC);
 
-  assign Q = $signed(ACC_next) >= 16'sd1;
+  assign Q = ACC_next;
 
   always @(posedge clk) begin
     if (rst) begin
-      ACC <= 16'd0;
+      ACC <= 1'b0;
       ran <= 1'b0;
     end else begin
       ACC <= ACC_next;
@@ -155,19 +154,20 @@ module modicon_timer_T0_1_PV10 (
   input  wire unit,
   output wire Q
 );
-  reg [15:0] ACC = 16'd0;
+  reg [3:0] ACC = 4'd0;
   reg ran = 1'b0;
 
   wire ran_next = power & EN;
-  wire less = $signed(ACC) < 16'sd10;
-  wire [15:0] sum = ACC + {15'b0, ran_next & ran & unit & less};
-  wire [15:0] ACC_next = EN ? sum : 16'd0;
+  wire equal = ACC == 4'ha;
+  wire [3:0] sum = ACC + {3'b0, ran_next & ran & unit & ~equal};
+  wire [3:0] ACC_next = EN ? sum : 4'd0;
+  wire equal_2 = ACC == 4'h9;
 
-  assign Q = $signed(ACC_next) >= 16'sd10;
+  assign Q = EN & (ran_next & ran & unit & equal_2 | equal);
 
   always @(posedge clk) begin
     if (rst) begin
-      ACC <= 16'd0;
+      ACC <= 4'd0;
       ran <= 1'b0;
     end else begin
       ACC <= ACC_next;

@@ -20,16 +20,16 @@ entity modicon_timer_DIVIDER_N100 is
 end entity modicon_timer_DIVIDER_N100;
 
 architecture rtl of modicon_timer_DIVIDER_N100 is
-  signal CV : unsigned(31 downto 0) := (others => '0');
+  signal CV : unsigned(6 downto 0) := (others => '0');
   signal equal : std_logic;
   signal Q_value : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal CV_next : unsigned(31 downto 0);
+  signal sum : unsigned(6 downto 0);
+  signal CV_next : unsigned(6 downto 0);
 begin
   equal <= '1' when CV = 99 else '0';
   Q_value <= tick and equal;
-  sum <= CV + (to_unsigned(0, 31) & tick);
-  CV_next <= to_unsigned(0, 32) when Q_value = '1' else sum;
+  sum <= CV + (to_unsigned(0, 6) & tick);
+  CV_next <= to_unsigned(0, 7) when Q_value = '1' else sum;
 
   Q <= Q_value;
 
@@ -65,16 +65,16 @@ entity modicon_timer_DIVIDER_N10 is
 end entity modicon_timer_DIVIDER_N10;
 
 architecture rtl of modicon_timer_DIVIDER_N10 is
-  signal CV : unsigned(31 downto 0) := (others => '0');
+  signal CV : unsigned(3 downto 0) := (others => '0');
   signal equal : std_logic;
   signal Q_value : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal CV_next : unsigned(31 downto 0);
+  signal sum : unsigned(3 downto 0);
+  signal CV_next : unsigned(3 downto 0);
 begin
   equal <= '1' when CV = 9 else '0';
   Q_value <= tick and equal;
-  sum <= CV + (to_unsigned(0, 31) & tick);
-  CV_next <= to_unsigned(0, 32) when Q_value = '1' else sum;
+  sum <= CV + (to_unsigned(0, 3) & tick);
+  CV_next <= to_unsigned(0, 4) when Q_value = '1' else sum;
 
   Q <= Q_value;
 
@@ -114,22 +114,24 @@ entity modicon_timer_T1_0_PV5 is
 end entity modicon_timer_T1_0_PV5;
 
 architecture rtl of modicon_timer_T1_0_PV5 is
-  signal ACC : unsigned(15 downto 0) := (others => '0');
+  signal ACC : unsigned(2 downto 0) := (others => '0');
   signal ran : std_logic := '0';
   signal ran_next : std_logic;
-  signal less : std_logic;
-  signal sum : unsigned(15 downto 0);
-  signal ACC_next : unsigned(15 downto 0);
-  signal QN_value : std_logic;
+  signal equal : std_logic;
+  signal sum : unsigned(2 downto 0);
+  signal ACC_next : unsigned(2 downto 0);
+  signal equal_2 : std_logic;
+  signal Q_value : std_logic;
 begin
   ran_next <= power and EN;
-  less <= '1' when signed(ACC) < 5 else '0';
-  sum <= ACC + (to_unsigned(0, 15) & (ran_next and ran and unit and less));
-  ACC_next <= sum when EN = '1' else to_unsigned(0, 16);
-  QN_value <= '1' when signed(ACC_next) < 5 else '0';
+  equal <= '1' when ACC = 5 else '0';
+  sum <= ACC + (to_unsigned(0, 2) & (ran_next and ran and unit and not equal));
+  ACC_next <= sum when EN = '1' else to_unsigned(0, 3);
+  equal_2 <= '1' when ACC = 4 else '0';
+  Q_value <= EN and ((ran_next and ran and unit and equal_2) or equal);
 
-  Q <= not QN_value;
-  QN <= QN_value;
+  Q <= Q_value;
+  QN <= not Q_value;
 
   process (clk)
   begin
@@ -168,25 +170,21 @@ entity modicon_timer_T1_0_PV1 is
 end entity modicon_timer_T1_0_PV1;
 
 architecture rtl of modicon_timer_T1_0_PV1 is
-  signal ACC : unsigned(15 downto 0) := (others => '0');
+  signal ACC : std_logic := '0';
   signal ran : std_logic := '0';
   signal ran_next : std_logic;
-  signal less : std_logic;
-  signal sum : unsigned(15 downto 0);
-  signal ACC_next : unsigned(15 downto 0);
+  signal ACC_next : std_logic;
 begin
   ran_next <= power and EN;
-  less <= '1' when signed(ACC) < 1 else '0';
-  sum <= ACC + (to_unsigned(0, 15) & (ran_next and ran and unit and less));
-  ACC_next <= sum when EN = '1' else to_unsigned(0, 16);
+  ACC_next <= EN and (ACC xor (ran_next and ran and unit and not ACC));
 
-  Q <= '1' when signed(ACC_next) >= 1 else '0';
+  Q <= ACC_next;
 
   process (clk)
   begin
     if rising_edge(clk) then
       if rst = '1' then
-        ACC <= (others => '0');
+        ACC <= '0';
         ran <= '0';
       else
         ACC <= ACC_next;
@@ -219,19 +217,21 @@ entity modicon_timer_T0_1_PV10 is
 end entity modicon_timer_T0_1_PV10;
 
 architecture rtl of modicon_timer_T0_1_PV10 is
-  signal ACC : unsigned(15 downto 0) := (others => '0');
+  signal ACC : unsigned(3 downto 0) := (others => '0');
   signal ran : std_logic := '0';
   signal ran_next : std_logic;
-  signal less : std_logic;
-  signal sum : unsigned(15 downto 0);
-  signal ACC_next : unsigned(15 downto 0);
+  signal equal : std_logic;
+  signal sum : unsigned(3 downto 0);
+  signal ACC_next : unsigned(3 downto 0);
+  signal equal_2 : std_logic;
 begin
   ran_next <= power and EN;
-  less <= '1' when signed(ACC) < 10 else '0';
-  sum <= ACC + (to_unsigned(0, 15) & (ran_next and ran and unit and less));
-  ACC_next <= sum when EN = '1' else to_unsigned(0, 16);
+  equal <= '1' when ACC = 10 else '0';
+  sum <= ACC + (to_unsigned(0, 3) & (ran_next and ran and unit and not equal));
+  ACC_next <= sum when EN = '1' else to_unsigned(0, 4);
+  equal_2 <= '1' when ACC = 9 else '0';
 
-  Q <= '1' when signed(ACC_next) >= 10 else '0';
+  Q <= EN and ((ran_next and ran and unit and equal_2) or equal);
 
   process (clk)
   begin

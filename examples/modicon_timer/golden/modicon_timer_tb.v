@@ -18,18 +18,18 @@ module modicon_timer_test_DIVIDER_N100 (
   input  wire tick,
   output wire Q
 );
-  reg [31:0] CV = 32'd0;
+  reg [6:0] CV = 7'd0;
 
-  wire equal = CV == 32'd99;
+  wire equal = CV == 7'h63;
   wire Q_value = tick & equal;
-  wire [31:0] sum = CV + {31'b0, tick};
-  wire [31:0] CV_next = Q_value ? 32'd0 : sum;
+  wire [6:0] sum = CV + {6'b0, tick};
+  wire [6:0] CV_next = Q_value ? 7'd0 : sum;
 
   assign Q = Q_value;
 
   always @(posedge clk) begin
     if (rst) begin
-      CV <= 32'd0;
+      CV <= 7'd0;
     end else begin
       CV <= CV_next;
     end
@@ -48,18 +48,18 @@ module modicon_timer_test_DIVIDER_N10 (
   input  wire tick,
   output wire Q
 );
-  reg [31:0] CV = 32'd0;
+  reg [3:0] CV = 4'd0;
 
-  wire equal = CV == 32'd9;
+  wire equal = CV == 4'h9;
   wire Q_value = tick & equal;
-  wire [31:0] sum = CV + {31'b0, tick};
-  wire [31:0] CV_next = Q_value ? 32'd0 : sum;
+  wire [3:0] sum = CV + {3'b0, tick};
+  wire [3:0] CV_next = Q_value ? 4'd0 : sum;
 
   assign Q = Q_value;
 
   always @(posedge clk) begin
     if (rst) begin
-      CV <= 32'd0;
+      CV <= 4'd0;
     end else begin
       CV <= CV_next;
     end
@@ -74,31 +74,32 @@ endmodule
 // QN  ####_______###
 // ACC 00123333333000
 module modicon_timer_test_T1_0_PV5 (
-  input  wire        clk,
-  input  wire        rst,
-  input  wire        power,
-  input  wire        EN,
-  input  wire        unit,
-  output wire        Q,
-  output wire        QN,
-  output wire [15:0] ACC_last
+  input  wire       clk,
+  input  wire       rst,
+  input  wire       power,
+  input  wire       EN,
+  input  wire       unit,
+  output wire       Q,
+  output wire       QN,
+  output wire [2:0] ACC_last
 );
-  reg [15:0] ACC = 16'd0;
+  reg [2:0] ACC = 3'd0;
   reg ran = 1'b0;
 
   wire ran_next = power & EN;
-  wire less = $signed(ACC) < 16'sd5;
-  wire [15:0] sum = ACC + {15'b0, ran_next & ran & unit & less};
-  wire [15:0] ACC_next = EN ? sum : 16'd0;
-  wire QN_value = $signed(ACC_next) < 16'sd5;
+  wire equal = ACC == 3'h5;
+  wire [2:0] sum = ACC + {2'b0, ran_next & ran & unit & ~equal};
+  wire [2:0] ACC_next = EN ? sum : 3'd0;
+  wire equal_2 = ACC == 3'h4;
+  wire Q_value = EN & (ran_next & ran & unit & equal_2 | equal);
 
-  assign Q = ~QN_value;
-  assign QN = QN_value;
+  assign Q = Q_value;
+  assign QN = ~Q_value;
   assign ACC_last = ACC;
 
   always @(posedge clk) begin
     if (rst) begin
-      ACC <= 16'd0;
+      ACC <= 3'd0;
       ran <= 1'b0;
     end else begin
       ACC <= ACC_next;
@@ -124,14 +125,10 @@ module modicon_timer_test_T1_0_PV1 (
   output wire Q_last
 );
   reg Q_reg = 1'b0;
-  reg [15:0] ACC = 16'd0;
   reg ran = 1'b0;
 
   wire ran_next = power & EN;
-  wire less = $signed(ACC) < 16'sd1;
-  wire [15:0] sum = ACC + {15'b0, ran_next & ran & unit & less};
-  wire [15:0] ACC_next = EN ? sum : 16'd0;
-  wire Q_next = $signed(ACC_next) >= 16'sd1;
+  wire Q_next = EN & (Q_reg ^ ran_next & ran & unit & ~Q_reg);
 
   assign Q = Q_next;
   assign Q_last = Q_reg;
@@ -139,11 +136,9 @@ module modicon_timer_test_T1_0_PV1 (
   always @(posedge clk) begin
     if (rst) begin
       Q_reg <= 1'b0;
-      ACC <= 16'd0;
       ran <= 1'b0;
     end else begin
       Q_reg <= Q_next;
-      ACC <= ACC_next;
       ran <= ran_next;
     end
   end
@@ -157,24 +152,25 @@ endmodule
 // QN  ####_______###
 // ACC 00123333333000
 module modicon_timer_test_T0_1_PV10 (
-  input  wire        clk,
-  input  wire        rst,
-  input  wire        power,
-  input  wire        EN,
-  input  wire        unit,
-  output wire        Q,
-  output wire        Q_last,
-  output wire [15:0] ACC_last
+  input  wire       clk,
+  input  wire       rst,
+  input  wire       power,
+  input  wire       EN,
+  input  wire       unit,
+  output wire       Q,
+  output wire       Q_last,
+  output wire [3:0] ACC_last
 );
   reg Q_reg = 1'b0;
-  reg [15:0] ACC = 16'd0;
+  reg [3:0] ACC = 4'd0;
   reg ran = 1'b0;
 
   wire ran_next = power & EN;
-  wire less = $signed(ACC) < 16'sd10;
-  wire [15:0] sum = ACC + {15'b0, ran_next & ran & unit & less};
-  wire [15:0] ACC_next = EN ? sum : 16'd0;
-  wire Q_next = $signed(ACC_next) >= 16'sd10;
+  wire equal = ACC == 4'ha;
+  wire [3:0] sum = ACC + {3'b0, ran_next & ran & unit & ~equal};
+  wire [3:0] ACC_next = EN ? sum : 4'd0;
+  wire equal_2 = ACC == 4'h9;
+  wire Q_next = EN & (ran_next & ran & unit & equal_2 | equal);
 
   assign Q = Q_next;
   assign Q_last = Q_reg;
@@ -183,7 +179,7 @@ module modicon_timer_test_T0_1_PV10 (
   always @(posedge clk) begin
     if (rst) begin
       Q_reg <= 1'b0;
-      ACC <= 16'd0;
+      ACC <= 4'd0;
       ran <= 1'b0;
     end else begin
       Q_reg <= Q_next;
@@ -210,14 +206,15 @@ module modicon_timer_test_T0_1_PV10_2 (
   output wire Q_last
 );
   reg Q_reg = 1'b0;
-  reg [15:0] ACC = 16'd0;
+  reg [3:0] ACC = 4'd0;
   reg ran = 1'b0;
 
   wire ran_next = power & EN;
-  wire less = $signed(ACC) < 16'sd10;
-  wire [15:0] sum = ACC + {15'b0, ran_next & ran & unit & less};
-  wire [15:0] ACC_next = EN ? sum : 16'd0;
-  wire Q_next = $signed(ACC_next) >= 16'sd10;
+  wire equal = ACC == 4'ha;
+  wire [3:0] sum = ACC + {3'b0, ran_next & ran & unit & ~equal};
+  wire [3:0] ACC_next = EN ? sum : 4'd0;
+  wire equal_2 = ACC == 4'h9;
+  wire Q_next = EN & (ran_next & ran & unit & equal_2 | equal);
 
   assign Q = Q_next;
   assign Q_last = Q_reg;
@@ -225,7 +222,7 @@ module modicon_timer_test_T0_1_PV10_2 (
   always @(posedge clk) begin
     if (rst) begin
       Q_reg <= 1'b0;
-      ACC <= 16'd0;
+      ACC <= 4'd0;
       ran <= 1'b0;
     end else begin
       Q_reg <= Q_next;
@@ -276,7 +273,7 @@ module modicon_timer_test (
   // rung 1 "T1.0 with a preset of 5; its time is in 40040", modicon_timer.ladder:10
   wire t40040_Q;
   wire t40040_QN;
-  wire [15:0] t40040_ACC_last;
+  wire [2:0] t40040_ACC_last;
   modicon_timer_test_T1_0_PV5 t40040 (
     .clk(clk),
     .rst(rst),
@@ -320,7 +317,7 @@ module modicon_timer_test (
   // rung 4 "and of two with presets of 10, as the manual advises", modicon_timer.ladder:18
   wire d1_Q_2;
   wire d1_Q_last;
-  wire [15:0] d1_ACC_last;
+  wire [3:0] d1_ACC_last;
   modicon_timer_test_T0_1_PV10 d1 (
     .clk(clk),
     .rst(rst),
@@ -342,18 +339,20 @@ module modicon_timer_test (
     .Q(d2_Q_2),
     .Q_last(d2_Q_last)
   );
+  wire [15:0] t40040_ACC_value = {13'b0, t40040_ACC_last};
+  wire [15:0] d1_ACC_value = {12'b0, d1_ACC_last};
   wire cascade_tenths_next = d2_Q_2;
 
   assign coil_00107 = coil_00107_reg;
   assign coil_00108 = coil_00108_reg;
   assign cascade_tenths = cascade_tenths_reg;
   assign cascade_seconds = cascade_seconds_reg;
-  assign t40040_ACC = t40040_ACC_last;
+  assign t40040_ACC = t40040_ACC_value;
   assign s1_Q = s1_Q_last;
   assign s2_Q = s2_Q_last;
   assign d1_Q = d1_Q_last;
   assign d2_Q = d2_Q_last;
-  assign d1_ACC = d1_ACC_last;
+  assign d1_ACC = d1_ACC_value;
 
   always @(posedge clk) begin
     if (rst) begin

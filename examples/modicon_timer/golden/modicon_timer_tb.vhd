@@ -23,16 +23,16 @@ entity modicon_timer_test_DIVIDER_N100 is
 end entity modicon_timer_test_DIVIDER_N100;
 
 architecture rtl of modicon_timer_test_DIVIDER_N100 is
-  signal CV : unsigned(31 downto 0) := (others => '0');
+  signal CV : unsigned(6 downto 0) := (others => '0');
   signal equal : std_logic;
   signal Q_value : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal CV_next : unsigned(31 downto 0);
+  signal sum : unsigned(6 downto 0);
+  signal CV_next : unsigned(6 downto 0);
 begin
   equal <= '1' when CV = 99 else '0';
   Q_value <= tick and equal;
-  sum <= CV + (to_unsigned(0, 31) & tick);
-  CV_next <= to_unsigned(0, 32) when Q_value = '1' else sum;
+  sum <= CV + (to_unsigned(0, 6) & tick);
+  CV_next <= to_unsigned(0, 7) when Q_value = '1' else sum;
 
   Q <= Q_value;
 
@@ -68,16 +68,16 @@ entity modicon_timer_test_DIVIDER_N10 is
 end entity modicon_timer_test_DIVIDER_N10;
 
 architecture rtl of modicon_timer_test_DIVIDER_N10 is
-  signal CV : unsigned(31 downto 0) := (others => '0');
+  signal CV : unsigned(3 downto 0) := (others => '0');
   signal equal : std_logic;
   signal Q_value : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal CV_next : unsigned(31 downto 0);
+  signal sum : unsigned(3 downto 0);
+  signal CV_next : unsigned(3 downto 0);
 begin
   equal <= '1' when CV = 9 else '0';
   Q_value <= tick and equal;
-  sum <= CV + (to_unsigned(0, 31) & tick);
-  CV_next <= to_unsigned(0, 32) when Q_value = '1' else sum;
+  sum <= CV + (to_unsigned(0, 3) & tick);
+  CV_next <= to_unsigned(0, 4) when Q_value = '1' else sum;
 
   Q <= Q_value;
 
@@ -113,27 +113,29 @@ entity modicon_timer_test_T1_0_PV5 is
     unit     : in  std_logic;
     Q        : out std_logic;
     QN       : out std_logic;
-    ACC_last : out unsigned(15 downto 0)
+    ACC_last : out unsigned(2 downto 0)
   );
 end entity modicon_timer_test_T1_0_PV5;
 
 architecture rtl of modicon_timer_test_T1_0_PV5 is
-  signal ACC : unsigned(15 downto 0) := (others => '0');
+  signal ACC : unsigned(2 downto 0) := (others => '0');
   signal ran : std_logic := '0';
   signal ran_next : std_logic;
-  signal less : std_logic;
-  signal sum : unsigned(15 downto 0);
-  signal ACC_next : unsigned(15 downto 0);
-  signal QN_value : std_logic;
+  signal equal : std_logic;
+  signal sum : unsigned(2 downto 0);
+  signal ACC_next : unsigned(2 downto 0);
+  signal equal_2 : std_logic;
+  signal Q_value : std_logic;
 begin
   ran_next <= power and EN;
-  less <= '1' when signed(ACC) < 5 else '0';
-  sum <= ACC + (to_unsigned(0, 15) & (ran_next and ran and unit and less));
-  ACC_next <= sum when EN = '1' else to_unsigned(0, 16);
-  QN_value <= '1' when signed(ACC_next) < 5 else '0';
+  equal <= '1' when ACC = 5 else '0';
+  sum <= ACC + (to_unsigned(0, 2) & (ran_next and ran and unit and not equal));
+  ACC_next <= sum when EN = '1' else to_unsigned(0, 3);
+  equal_2 <= '1' when ACC = 4 else '0';
+  Q_value <= EN and ((ran_next and ran and unit and equal_2) or equal);
 
-  Q <= not QN_value;
-  QN <= QN_value;
+  Q <= Q_value;
+  QN <= not Q_value;
   ACC_last <= ACC;
 
   process (clk)
@@ -175,19 +177,12 @@ end entity modicon_timer_test_T1_0_PV1;
 
 architecture rtl of modicon_timer_test_T1_0_PV1 is
   signal Q_reg : std_logic := '0';
-  signal ACC : unsigned(15 downto 0) := (others => '0');
   signal ran : std_logic := '0';
   signal ran_next : std_logic;
-  signal less : std_logic;
-  signal sum : unsigned(15 downto 0);
-  signal ACC_next : unsigned(15 downto 0);
   signal Q_next : std_logic;
 begin
   ran_next <= power and EN;
-  less <= '1' when signed(ACC) < 1 else '0';
-  sum <= ACC + (to_unsigned(0, 15) & (ran_next and ran and unit and less));
-  ACC_next <= sum when EN = '1' else to_unsigned(0, 16);
-  Q_next <= '1' when signed(ACC_next) >= 1 else '0';
+  Q_next <= EN and (Q_reg xor (ran_next and ran and unit and not Q_reg));
 
   Q <= Q_next;
   Q_last <= Q_reg;
@@ -197,11 +192,9 @@ begin
     if rising_edge(clk) then
       if rst = '1' then
         Q_reg <= '0';
-        ACC <= (others => '0');
         ran <= '0';
       else
         Q_reg <= Q_next;
-        ACC <= ACC_next;
         ran <= ran_next;
       end if;
     end if;
@@ -228,25 +221,27 @@ entity modicon_timer_test_T0_1_PV10 is
     unit     : in  std_logic;
     Q        : out std_logic;
     Q_last   : out std_logic;
-    ACC_last : out unsigned(15 downto 0)
+    ACC_last : out unsigned(3 downto 0)
   );
 end entity modicon_timer_test_T0_1_PV10;
 
 architecture rtl of modicon_timer_test_T0_1_PV10 is
   signal Q_reg : std_logic := '0';
-  signal ACC : unsigned(15 downto 0) := (others => '0');
+  signal ACC : unsigned(3 downto 0) := (others => '0');
   signal ran : std_logic := '0';
   signal ran_next : std_logic;
-  signal less : std_logic;
-  signal sum : unsigned(15 downto 0);
-  signal ACC_next : unsigned(15 downto 0);
+  signal equal : std_logic;
+  signal sum : unsigned(3 downto 0);
+  signal ACC_next : unsigned(3 downto 0);
+  signal equal_2 : std_logic;
   signal Q_next : std_logic;
 begin
   ran_next <= power and EN;
-  less <= '1' when signed(ACC) < 10 else '0';
-  sum <= ACC + (to_unsigned(0, 15) & (ran_next and ran and unit and less));
-  ACC_next <= sum when EN = '1' else to_unsigned(0, 16);
-  Q_next <= '1' when signed(ACC_next) >= 10 else '0';
+  equal <= '1' when ACC = 10 else '0';
+  sum <= ACC + (to_unsigned(0, 3) & (ran_next and ran and unit and not equal));
+  ACC_next <= sum when EN = '1' else to_unsigned(0, 4);
+  equal_2 <= '1' when ACC = 9 else '0';
+  Q_next <= EN and ((ran_next and ran and unit and equal_2) or equal);
 
   Q <= Q_next;
   Q_last <= Q_reg;
@@ -293,19 +288,21 @@ end entity modicon_timer_test_T0_1_PV10_2;
 
 architecture rtl of modicon_timer_test_T0_1_PV10_2 is
   signal Q_reg : std_logic := '0';
-  signal ACC : unsigned(15 downto 0) := (others => '0');
+  signal ACC : unsigned(3 downto 0) := (others => '0');
   signal ran : std_logic := '0';
   signal ran_next : std_logic;
-  signal less : std_logic;
-  signal sum : unsigned(15 downto 0);
-  signal ACC_next : unsigned(15 downto 0);
+  signal equal : std_logic;
+  signal sum : unsigned(3 downto 0);
+  signal ACC_next : unsigned(3 downto 0);
+  signal equal_2 : std_logic;
   signal Q_next : std_logic;
 begin
   ran_next <= power and EN;
-  less <= '1' when signed(ACC) < 10 else '0';
-  sum <= ACC + (to_unsigned(0, 15) & (ran_next and ran and unit and less));
-  ACC_next <= sum when EN = '1' else to_unsigned(0, 16);
-  Q_next <= '1' when signed(ACC_next) >= 10 else '0';
+  equal <= '1' when ACC = 10 else '0';
+  sum <= ACC + (to_unsigned(0, 3) & (ran_next and ran and unit and not equal));
+  ACC_next <= sum when EN = '1' else to_unsigned(0, 4);
+  equal_2 <= '1' when ACC = 9 else '0';
+  Q_next <= EN and ((ran_next and ran and unit and equal_2) or equal);
 
   Q <= Q_next;
   Q_last <= Q_reg;
@@ -359,7 +356,7 @@ architecture rtl of modicon_timer_test is
   signal every_100ms_Q : std_logic;
   signal t40040_Q : std_logic;
   signal t40040_QN : std_logic;
-  signal t40040_ACC_last : unsigned(15 downto 0);
+  signal t40040_ACC_last : unsigned(2 downto 0);
   signal coil_00107_next : std_logic;
   signal coil_00108_next : std_logic;
   signal s1_Q_2 : std_logic;
@@ -369,9 +366,11 @@ architecture rtl of modicon_timer_test is
   signal cascade_seconds_next : std_logic;
   signal d1_Q_2 : std_logic;
   signal d1_Q_last : std_logic;
-  signal d1_ACC_last : unsigned(15 downto 0);
+  signal d1_ACC_last : unsigned(3 downto 0);
   signal d2_Q_2 : std_logic;
   signal d2_Q_last : std_logic;
+  signal t40040_ACC_value : unsigned(15 downto 0);
+  signal d1_ACC_value : unsigned(15 downto 0);
   signal cascade_tenths_next : std_logic;
 begin
 
@@ -453,18 +452,20 @@ begin
       Q => d2_Q_2,
       Q_last => d2_Q_last
     );
+  t40040_ACC_value <= resize(t40040_ACC_last, 16);
+  d1_ACC_value <= resize(d1_ACC_last, 16);
   cascade_tenths_next <= d2_Q_2;
 
   coil_00107 <= coil_00107_reg;
   coil_00108 <= coil_00108_reg;
   cascade_tenths <= cascade_tenths_reg;
   cascade_seconds <= cascade_seconds_reg;
-  t40040_ACC <= std_logic_vector(t40040_ACC_last);
+  t40040_ACC <= std_logic_vector(t40040_ACC_value);
   s1_Q <= s1_Q_last;
   s2_Q <= s2_Q_last;
   d1_Q <= d1_Q_last;
   d2_Q <= d2_Q_last;
-  d1_ACC <= std_logic_vector(d1_ACC_last);
+  d1_ACC <= std_logic_vector(d1_ACC_value);
 
   process (clk)
   begin

@@ -18,18 +18,20 @@ module paper_counters_UC_PV5 (
   input  wire EN,
   output wire Q
 );
-  reg [15:0] ACC = 16'd0;
+  reg [2:0] ACC = 3'd0;
   reg was = 1'b0;
 
-  wire less = $signed(ACC) < 16'sd9999;
-  wire [15:0] sum = ACC + {15'b0, power & ~was & less};
-  wire [15:0] ACC_next = EN ? sum : 16'd0;
+  wire condition = power & ~was;
+  wire equal = ACC == 3'h5;
+  wire [2:0] sum = ACC + {2'b0, condition & ~equal};
+  wire [2:0] ACC_next = EN ? sum : 3'd0;
+  wire equal_2 = ACC == 3'h4;
 
-  assign Q = $signed(ACC_next) >= 16'sd5;
+  assign Q = EN & (condition & equal_2 | equal);
 
   always @(posedge clk) begin
     if (rst) begin
-      ACC <= 16'd0;
+      ACC <= 3'd0;
       was <= 1'b0;
     end else begin
       ACC <= ACC_next;
@@ -51,18 +53,20 @@ module paper_counters_DC_PV5 (
   input  wire EN,
   output wire Q
 );
-  reg [15:0] ACC = 16'd5;
+  reg [2:0] ACC = 3'h5;
   reg was = 1'b0;
 
-  wire unequal = ACC != 16'd0;
-  wire [15:0] difference = ACC - {15'b0, power & ~was & unequal};
-  wire [15:0] ACC_next = EN ? difference : 16'd5;
+  wire condition = power & ~was;
+  wire equal = ACC == 3'd0;
+  wire [2:0] difference = ACC - {2'b0, condition & ~equal};
+  wire [2:0] ACC_next = EN ? difference : 3'h5;
+  wire equal_2 = ACC == 3'd1;
 
-  assign Q = ACC_next == 16'd0;
+  assign Q = EN & (condition & equal_2 | equal);
 
   always @(posedge clk) begin
     if (rst) begin
-      ACC <= 16'd5;
+      ACC <= 3'h5;
       was <= 1'b0;
     end else begin
       ACC <= ACC_next;
@@ -91,22 +95,24 @@ module paper_counters_DRUM_PV10 (
   output wire TAP2,
   output wire TAP3
 );
-  reg [15:0] ACC = 16'd0;
+  reg [3:0] ACC = 4'd0;
   reg was = 1'b0;
 
-  wire less = $signed(ACC) < 16'sd2047;
-  wire [15:0] sum = ACC + {15'b0, power & ~was & less};
-  wire [15:0] ACC_next = EN ? sum : 16'd0;
+  wire condition = power & ~was;
+  wire equal = ACC == 4'ha;
+  wire [3:0] sum = ACC + {3'b0, condition & ~equal};
+  wire [3:0] ACC_next = EN ? sum : 4'd0;
+  wire equal_2 = ACC == 4'h9;
 
-  assign Q = $signed(ACC_next) >= 16'sd10;
-  assign TAP0 = $signed(ACC_next) >= 16'sd2;
-  assign TAP1 = $signed(ACC_next) >= 16'sd4;
-  assign TAP2 = $signed(ACC_next) >= 16'sd6;
-  assign TAP3 = $signed(ACC_next) >= 16'sd8;
+  assign Q = EN & (condition & equal_2 | equal);
+  assign TAP0 = ACC_next >= 4'd2;
+  assign TAP1 = ACC_next >= 4'd4;
+  assign TAP2 = ACC_next >= 4'd6;
+  assign TAP3 = ACC_next >= 4'h8;
 
   always @(posedge clk) begin
     if (rst) begin
-      ACC <= 16'd0;
+      ACC <= 4'd0;
       was <= 1'b0;
     end else begin
       ACC <= ACC_next;

@@ -21,17 +21,21 @@ entity paper_counters_UC_PV5 is
 end entity paper_counters_UC_PV5;
 
 architecture rtl of paper_counters_UC_PV5 is
-  signal ACC : unsigned(15 downto 0) := (others => '0');
+  signal ACC : unsigned(2 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(15 downto 0);
-  signal ACC_next : unsigned(15 downto 0);
+  signal condition : std_logic;
+  signal equal : std_logic;
+  signal sum : unsigned(2 downto 0);
+  signal ACC_next : unsigned(2 downto 0);
+  signal equal_2 : std_logic;
 begin
-  less <= '1' when signed(ACC) < 9999 else '0';
-  sum <= ACC + (to_unsigned(0, 15) & (power and not was and less));
-  ACC_next <= sum when EN = '1' else to_unsigned(0, 16);
+  condition <= power and not was;
+  equal <= '1' when ACC = 5 else '0';
+  sum <= ACC + (to_unsigned(0, 2) & (condition and not equal));
+  ACC_next <= sum when EN = '1' else to_unsigned(0, 3);
+  equal_2 <= '1' when ACC = 4 else '0';
 
-  Q <= '1' when signed(ACC_next) >= 5 else '0';
+  Q <= EN and ((condition and equal_2) or equal);
 
   process (clk)
   begin
@@ -68,23 +72,27 @@ entity paper_counters_DC_PV5 is
 end entity paper_counters_DC_PV5;
 
 architecture rtl of paper_counters_DC_PV5 is
-  signal ACC : unsigned(15 downto 0) := to_unsigned(5, 16);
+  signal ACC : unsigned(2 downto 0) := "101";
   signal was : std_logic := '0';
-  signal unequal : std_logic;
-  signal difference : unsigned(15 downto 0);
-  signal ACC_next : unsigned(15 downto 0);
+  signal condition : std_logic;
+  signal equal : std_logic;
+  signal difference : unsigned(2 downto 0);
+  signal ACC_next : unsigned(2 downto 0);
+  signal equal_2 : std_logic;
 begin
-  unequal <= '1' when ACC /= 0 else '0';
-  difference <= ACC - (to_unsigned(0, 15) & (power and not was and unequal));
-  ACC_next <= difference when EN = '1' else to_unsigned(5, 16);
+  condition <= power and not was;
+  equal <= '1' when ACC = 0 else '0';
+  difference <= ACC - (to_unsigned(0, 2) & (condition and not equal));
+  ACC_next <= difference when EN = '1' else "101";
+  equal_2 <= '1' when ACC = 1 else '0';
 
-  Q <= '1' when ACC_next = 0 else '0';
+  Q <= EN and ((condition and equal_2) or equal);
 
   process (clk)
   begin
     if rising_edge(clk) then
       if rst = '1' then
-        ACC <= to_unsigned(5, 16);
+        ACC <= "101";
         was <= '0';
       else
         ACC <= ACC_next;
@@ -122,21 +130,25 @@ entity paper_counters_DRUM_PV10 is
 end entity paper_counters_DRUM_PV10;
 
 architecture rtl of paper_counters_DRUM_PV10 is
-  signal ACC : unsigned(15 downto 0) := (others => '0');
+  signal ACC : unsigned(3 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(15 downto 0);
-  signal ACC_next : unsigned(15 downto 0);
+  signal condition : std_logic;
+  signal equal : std_logic;
+  signal sum : unsigned(3 downto 0);
+  signal ACC_next : unsigned(3 downto 0);
+  signal equal_2 : std_logic;
 begin
-  less <= '1' when signed(ACC) < 2047 else '0';
-  sum <= ACC + (to_unsigned(0, 15) & (power and not was and less));
-  ACC_next <= sum when EN = '1' else to_unsigned(0, 16);
+  condition <= power and not was;
+  equal <= '1' when ACC = 10 else '0';
+  sum <= ACC + (to_unsigned(0, 3) & (condition and not equal));
+  ACC_next <= sum when EN = '1' else to_unsigned(0, 4);
+  equal_2 <= '1' when ACC = 9 else '0';
 
-  Q <= '1' when signed(ACC_next) >= 10 else '0';
-  TAP0 <= '1' when signed(ACC_next) >= 2 else '0';
-  TAP1 <= '1' when signed(ACC_next) >= 4 else '0';
-  TAP2 <= '1' when signed(ACC_next) >= 6 else '0';
-  TAP3 <= '1' when signed(ACC_next) >= 8 else '0';
+  Q <= EN and ((condition and equal_2) or equal);
+  TAP0 <= '1' when ACC_next >= 2 else '0';
+  TAP1 <= '1' when ACC_next >= 4 else '0';
+  TAP2 <= '1' when ACC_next >= 6 else '0';
+  TAP3 <= '1' when ACC_next >= 8 else '0';
 
   process (clk)
   begin

@@ -18,21 +18,21 @@ module paper_counters_test_UC_PV5 (
   input  wire        power,
   input  wire        EN,
   output wire        Q,
-  output wire [15:0] ACC_last
+  output wire [13:0] ACC_last
 );
-  reg [15:0] ACC = 16'd0;
+  reg [13:0] ACC = 14'd0;
   reg was = 1'b0;
 
-  wire less = $signed(ACC) < 16'sd9999;
-  wire [15:0] sum = ACC + {15'b0, power & ~was & less};
-  wire [15:0] ACC_next = EN ? sum : 16'd0;
+  wire unequal = ACC != 14'h270f;
+  wire [13:0] sum = ACC + {13'b0, power & ~was & unequal};
+  wire [13:0] ACC_next = EN ? sum : 14'd0;
 
-  assign Q = $signed(ACC_next) >= 16'sd5;
+  assign Q = ACC_next >= 14'd5;
   assign ACC_last = ACC;
 
   always @(posedge clk) begin
     if (rst) begin
-      ACC <= 16'd0;
+      ACC <= 14'd0;
       was <= 1'b0;
     end else begin
       ACC <= ACC_next;
@@ -48,26 +48,28 @@ endmodule
 // Q   ___####____
 // ACC 21100002222
 module paper_counters_test_DC_PV5 (
-  input  wire        clk,
-  input  wire        rst,
-  input  wire        power,
-  input  wire        EN,
-  output wire        Q,
-  output wire [15:0] ACC_last
+  input  wire       clk,
+  input  wire       rst,
+  input  wire       power,
+  input  wire       EN,
+  output wire       Q,
+  output wire [2:0] ACC_last
 );
-  reg [15:0] ACC = 16'd5;
+  reg [2:0] ACC = 3'h5;
   reg was = 1'b0;
 
-  wire unequal = ACC != 16'd0;
-  wire [15:0] difference = ACC - {15'b0, power & ~was & unequal};
-  wire [15:0] ACC_next = EN ? difference : 16'd5;
+  wire condition = power & ~was;
+  wire equal = ACC == 3'd0;
+  wire [2:0] difference = ACC - {2'b0, condition & ~equal};
+  wire [2:0] ACC_next = EN ? difference : 3'h5;
+  wire equal_2 = ACC == 3'd1;
 
-  assign Q = ACC_next == 16'd0;
+  assign Q = EN & (condition & equal_2 | equal);
   assign ACC_last = ACC;
 
   always @(posedge clk) begin
     if (rst) begin
-      ACC <= 16'd5;
+      ACC <= 3'h5;
       was <= 1'b0;
     end else begin
       ACC <= ACC_next;
@@ -91,29 +93,29 @@ module paper_counters_test_DRUM_PV10 (
   input  wire        power,
   input  wire        EN,
   output wire        Q,
-  output wire [15:0] ACC_last,
+  output wire [10:0] ACC_last,
   output wire        TAP0,
   output wire        TAP1,
   output wire        TAP2,
   output wire        TAP3
 );
-  reg [15:0] ACC = 16'd0;
+  reg [10:0] ACC = 11'd0;
   reg was = 1'b0;
 
-  wire less = $signed(ACC) < 16'sd2047;
-  wire [15:0] sum = ACC + {15'b0, power & ~was & less};
-  wire [15:0] ACC_next = EN ? sum : 16'd0;
+  wire unequal = ACC != 11'h7ff;
+  wire [10:0] sum = ACC + {10'b0, power & ~was & unequal};
+  wire [10:0] ACC_next = EN ? sum : 11'd0;
 
-  assign Q = $signed(ACC_next) >= 16'sd10;
+  assign Q = ACC_next >= 11'd10;
   assign ACC_last = ACC;
-  assign TAP0 = $signed(ACC_next) >= 16'sd2;
-  assign TAP1 = $signed(ACC_next) >= 16'sd4;
-  assign TAP2 = $signed(ACC_next) >= 16'sd6;
-  assign TAP3 = $signed(ACC_next) >= 16'sd8;
+  assign TAP0 = ACC_next >= 11'd2;
+  assign TAP1 = ACC_next >= 11'd4;
+  assign TAP2 = ACC_next >= 11'd6;
+  assign TAP3 = ACC_next >= 11'd8;
 
   always @(posedge clk) begin
     if (rst) begin
-      ACC <= 16'd0;
+      ACC <= 11'd0;
       was <= 1'b0;
     end else begin
       ACC <= ACC_next;
@@ -161,7 +163,7 @@ module paper_counters_test (
 
   // rung 2 "from zero to the preset", paper_counters.ladder:20
   wire up_Q;
-  wire [15:0] up_ACC_last;
+  wire [13:0] up_ACC_last;
   paper_counters_test_UC_PV5 up (
     .clk(clk),
     .rst(rst),
@@ -174,7 +176,7 @@ module paper_counters_test (
 
   // rung 3 "from the preset to zero", paper_counters.ladder:23
   wire down_Q;
-  wire [15:0] down_ACC_last;
+  wire [2:0] down_ACC_last;
   paper_counters_test_DC_PV5 down (
     .clk(clk),
     .rst(rst),
@@ -187,7 +189,7 @@ module paper_counters_test (
 
   // rung 4 "up to 2047, with four taps", paper_counters.ladder:26
   wire drum_Q;
-  wire [15:0] drum_ACC_last;
+  wire [10:0] drum_ACC_last;
   wire drum_TAP0;
   wire drum_TAP1;
   wire drum_TAP2;
@@ -216,6 +218,9 @@ module paper_counters_test (
   wire tap2_out_next = drum_TAP2;
 
   // rung 8, paper_counters.ladder:35
+  wire [15:0] up_ACC_value = {2'b0, up_ACC_last};
+  wire [15:0] down_ACC_value = {13'b0, down_ACC_last};
+  wire [15:0] drum_ACC_value = {5'b0, drum_ACC_last};
   wire tap3_out_next = drum_TAP3;
 
   assign up_coil = up_coil_reg;
@@ -225,9 +230,9 @@ module paper_counters_test (
   assign tap1_out = tap1_out_reg;
   assign tap2_out = tap2_out_reg;
   assign tap3_out = tap3_out_reg;
-  assign up_ACC = up_ACC_last;
-  assign down_ACC = down_ACC_last;
-  assign drum_ACC = drum_ACC_last;
+  assign up_ACC = up_ACC_value;
+  assign down_ACC = down_ACC_value;
+  assign drum_ACC = drum_ACC_value;
 
   always @(posedge clk) begin
     if (rst) begin

@@ -20,22 +20,22 @@ entity paper_counters_test_UC_PV5 is
     power    : in  std_logic;
     EN       : in  std_logic;
     Q        : out std_logic;
-    ACC_last : out unsigned(15 downto 0)
+    ACC_last : out unsigned(13 downto 0)
   );
 end entity paper_counters_test_UC_PV5;
 
 architecture rtl of paper_counters_test_UC_PV5 is
-  signal ACC : unsigned(15 downto 0) := (others => '0');
+  signal ACC : unsigned(13 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(15 downto 0);
-  signal ACC_next : unsigned(15 downto 0);
+  signal unequal : std_logic;
+  signal sum : unsigned(13 downto 0);
+  signal ACC_next : unsigned(13 downto 0);
 begin
-  less <= '1' when signed(ACC) < 9999 else '0';
-  sum <= ACC + (to_unsigned(0, 15) & (power and not was and less));
-  ACC_next <= sum when EN = '1' else to_unsigned(0, 16);
+  unequal <= '1' when ACC /= 9999 else '0';
+  sum <= ACC + (to_unsigned(0, 13) & (power and not was and unequal));
+  ACC_next <= sum when EN = '1' else to_unsigned(0, 14);
 
-  Q <= '1' when signed(ACC_next) >= 5 else '0';
+  Q <= '1' when ACC_next >= 5 else '0';
   ACC_last <= ACC;
 
   process (clk)
@@ -69,29 +69,33 @@ entity paper_counters_test_DC_PV5 is
     power    : in  std_logic;
     EN       : in  std_logic;
     Q        : out std_logic;
-    ACC_last : out unsigned(15 downto 0)
+    ACC_last : out unsigned(2 downto 0)
   );
 end entity paper_counters_test_DC_PV5;
 
 architecture rtl of paper_counters_test_DC_PV5 is
-  signal ACC : unsigned(15 downto 0) := to_unsigned(5, 16);
+  signal ACC : unsigned(2 downto 0) := "101";
   signal was : std_logic := '0';
-  signal unequal : std_logic;
-  signal difference : unsigned(15 downto 0);
-  signal ACC_next : unsigned(15 downto 0);
+  signal condition : std_logic;
+  signal equal : std_logic;
+  signal difference : unsigned(2 downto 0);
+  signal ACC_next : unsigned(2 downto 0);
+  signal equal_2 : std_logic;
 begin
-  unequal <= '1' when ACC /= 0 else '0';
-  difference <= ACC - (to_unsigned(0, 15) & (power and not was and unequal));
-  ACC_next <= difference when EN = '1' else to_unsigned(5, 16);
+  condition <= power and not was;
+  equal <= '1' when ACC = 0 else '0';
+  difference <= ACC - (to_unsigned(0, 2) & (condition and not equal));
+  ACC_next <= difference when EN = '1' else "101";
+  equal_2 <= '1' when ACC = 1 else '0';
 
-  Q <= '1' when ACC_next = 0 else '0';
+  Q <= EN and ((condition and equal_2) or equal);
   ACC_last <= ACC;
 
   process (clk)
   begin
     if rising_edge(clk) then
       if rst = '1' then
-        ACC <= to_unsigned(5, 16);
+        ACC <= "101";
         was <= '0';
       else
         ACC <= ACC_next;
@@ -121,7 +125,7 @@ entity paper_counters_test_DRUM_PV10 is
     power    : in  std_logic;
     EN       : in  std_logic;
     Q        : out std_logic;
-    ACC_last : out unsigned(15 downto 0);
+    ACC_last : out unsigned(10 downto 0);
     TAP0     : out std_logic;
     TAP1     : out std_logic;
     TAP2     : out std_logic;
@@ -130,22 +134,22 @@ entity paper_counters_test_DRUM_PV10 is
 end entity paper_counters_test_DRUM_PV10;
 
 architecture rtl of paper_counters_test_DRUM_PV10 is
-  signal ACC : unsigned(15 downto 0) := (others => '0');
+  signal ACC : unsigned(10 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(15 downto 0);
-  signal ACC_next : unsigned(15 downto 0);
+  signal unequal : std_logic;
+  signal sum : unsigned(10 downto 0);
+  signal ACC_next : unsigned(10 downto 0);
 begin
-  less <= '1' when signed(ACC) < 2047 else '0';
-  sum <= ACC + (to_unsigned(0, 15) & (power and not was and less));
-  ACC_next <= sum when EN = '1' else to_unsigned(0, 16);
+  unequal <= '1' when ACC /= 2047 else '0';
+  sum <= ACC + (to_unsigned(0, 10) & (power and not was and unequal));
+  ACC_next <= sum when EN = '1' else to_unsigned(0, 11);
 
-  Q <= '1' when signed(ACC_next) >= 10 else '0';
+  Q <= '1' when ACC_next >= 10 else '0';
   ACC_last <= ACC;
-  TAP0 <= '1' when signed(ACC_next) >= 2 else '0';
-  TAP1 <= '1' when signed(ACC_next) >= 4 else '0';
-  TAP2 <= '1' when signed(ACC_next) >= 6 else '0';
-  TAP3 <= '1' when signed(ACC_next) >= 8 else '0';
+  TAP0 <= '1' when ACC_next >= 2 else '0';
+  TAP1 <= '1' when ACC_next >= 4 else '0';
+  TAP2 <= '1' when ACC_next >= 6 else '0';
+  TAP3 <= '1' when ACC_next >= 8 else '0';
 
   process (clk)
   begin
@@ -204,13 +208,13 @@ architecture rtl of paper_counters_test is
   signal rung1_power : std_logic;
   signal counting_ckt : std_logic;
   signal up_Q : std_logic;
-  signal up_ACC_last : unsigned(15 downto 0);
+  signal up_ACC_last : unsigned(13 downto 0);
   signal up_coil_next : std_logic;
   signal down_Q : std_logic;
-  signal down_ACC_last : unsigned(15 downto 0);
+  signal down_ACC_last : unsigned(2 downto 0);
   signal down_coil_next : std_logic;
   signal drum_Q : std_logic;
-  signal drum_ACC_last : unsigned(15 downto 0);
+  signal drum_ACC_last : unsigned(10 downto 0);
   signal drum_TAP0 : std_logic;
   signal drum_TAP1 : std_logic;
   signal drum_TAP2 : std_logic;
@@ -219,6 +223,9 @@ architecture rtl of paper_counters_test is
   signal tap0_out_next : std_logic;
   signal tap1_out_next : std_logic;
   signal tap2_out_next : std_logic;
+  signal up_ACC_value : unsigned(15 downto 0);
+  signal down_ACC_value : unsigned(15 downto 0);
+  signal drum_ACC_value : unsigned(15 downto 0);
   signal tap3_out_next : std_logic;
 begin
 
@@ -277,6 +284,9 @@ begin
   tap2_out_next <= drum_TAP2;
 
   -- rung 8, paper_counters.ladder:35
+  up_ACC_value <= resize(up_ACC_last, 16);
+  down_ACC_value <= resize(down_ACC_last, 16);
+  drum_ACC_value <= resize(drum_ACC_last, 16);
   tap3_out_next <= drum_TAP3;
 
   up_coil <= up_coil_reg;
@@ -286,9 +296,9 @@ begin
   tap1_out <= tap1_out_reg;
   tap2_out <= tap2_out_reg;
   tap3_out <= tap3_out_reg;
-  up_ACC <= std_logic_vector(up_ACC_last);
-  down_ACC <= std_logic_vector(down_ACC_last);
-  drum_ACC <= std_logic_vector(drum_ACC_last);
+  up_ACC <= std_logic_vector(up_ACC_value);
+  down_ACC <= std_logic_vector(down_ACC_value);
+  drum_ACC <= std_logic_vector(drum_ACC_value);
 
   process (clk)
   begin

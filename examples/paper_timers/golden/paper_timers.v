@@ -17,18 +17,18 @@ module paper_timers_DIVIDER_N10 (
   input  wire tick,
   output wire Q
 );
-  reg [31:0] CV = 32'd0;
+  reg [3:0] CV = 4'd0;
 
-  wire equal = CV == 32'd9;
+  wire equal = CV == 4'h9;
   wire Q_value = tick & equal;
-  wire [31:0] sum = CV + {31'b0, tick};
-  wire [31:0] CV_next = Q_value ? 32'd0 : sum;
+  wire [3:0] sum = CV + {3'b0, tick};
+  wire [3:0] CV_next = Q_value ? 4'd0 : sum;
 
   assign Q = Q_value;
 
   always @(posedge clk) begin
     if (rst) begin
-      CV <= 32'd0;
+      CV <= 4'd0;
     end else begin
       CV <= CV_next;
     end
@@ -42,27 +42,11 @@ endmodule
 // Q    __#_____#_
 // CV   1201122201
 module paper_timers_DIVIDER_N1 (
-  input  wire clk,
-  input  wire rst,
   input  wire tick,
   output wire Q
 );
-  reg [31:0] CV = 32'd0;
 
-  wire equal = CV == 32'd0;
-  wire Q_value = tick & equal;
-  wire [31:0] sum = CV + {31'b0, tick};
-  wire [31:0] CV_next = Q_value ? 32'd0 : sum;
-
-  assign Q = Q_value;
-
-  always @(posedge clk) begin
-    if (rst) begin
-      CV <= 32'd0;
-    end else begin
-      CV <= CV_next;
-    end
-  end
+  assign Q = tick;
 endmodule
 
 // TS: timer of seconds in three modes, MODE = OFF
@@ -79,24 +63,25 @@ module paper_timers_TS_OFF_PV3 (
   input  wire unit,
   output wire Q
 );
-  reg [15:0] ACC = 16'd0;
+  reg [1:0] ACC = 2'd0;
   reg run = 1'b0;
   reg was = 1'b0;
 
-  wire less = $signed(ACC) < 16'sd3;
-  wire [15:0] sum = ACC + {15'b0, run & unit & less};
-  wire [15:0] choice = (run & was) ? 16'd0 : sum;
-  wire [15:0] choice_2 = power ? 16'd0 : choice;
-  wire less_2 = $signed(choice_2) < 16'sd3;
-  wire condition = power | run & less_2;
-  wire [15:0] ACC_next = EN ? choice_2 : 16'd0;
-  wire run_next = EN & condition;
+  wire equal = ACC == 2'h3;
+  wire [1:0] sum = ACC + {1'b0, run & unit & ~equal};
+  wire condition = run & was;
+  wire [1:0] choice = condition ? 2'd0 : sum;
+  wire [1:0] choice_2 = power ? 2'd0 : choice;
+  wire equal_2 = ACC == 2'h2;
+  wire condition_2 = power | run & ~(~power & ~condition & (run & unit & equal_2 | equal));
+  wire [1:0] ACC_next = EN ? choice_2 : 2'd0;
+  wire run_next = EN & condition_2;
 
-  assign Q = EN & condition;
+  assign Q = EN & condition_2;
 
   always @(posedge clk) begin
     if (rst) begin
-      ACC <= 16'd0;
+      ACC <= 2'd0;
       run <= 1'b0;
       was <= 1'b0;
     end else begin
@@ -122,19 +107,20 @@ module paper_timers_TT_PV5 (
   input  wire unit,
   output wire Q
 );
-  reg [15:0] ACC = 16'd0;
+  reg [2:0] ACC = 3'd0;
   reg ran = 1'b0;
 
   wire ran_next = power & EN;
-  wire less = $signed(ACC) < 16'sd5;
-  wire [15:0] sum = ACC + {15'b0, ran_next & ran & unit & less};
-  wire [15:0] ACC_next = EN ? sum : 16'd0;
+  wire equal = ACC == 3'h5;
+  wire [2:0] sum = ACC + {2'b0, ran_next & ran & unit & ~equal};
+  wire [2:0] ACC_next = EN ? sum : 3'd0;
+  wire equal_2 = ACC == 3'h4;
 
-  assign Q = $signed(ACC_next) >= 16'sd5;
+  assign Q = EN & (ran_next & ran & unit & equal_2 | equal);
 
   always @(posedge clk) begin
     if (rst) begin
-      ACC <= 16'd0;
+      ACC <= 3'd0;
       ran <= 1'b0;
     end else begin
       ACC <= ACC_next;
@@ -157,26 +143,26 @@ module paper_timers_TT_INTERVAL_PV4 (
   input  wire unit,
   output wire Q
 );
-  reg [15:0] ACC = 16'd0;
+  reg [2:0] ACC = 3'd0;
   reg run = 1'b0;
   reg was = 1'b0;
 
-  wire less = $signed(ACC) < 16'sd4;
-  wire [15:0] sum = ACC + {15'b0, unit & less};
-  wire less_2 = $signed(sum) < 16'sd4;
+  wire equal = ACC == 3'h4;
+  wire [2:0] sum = ACC + {2'b0, unit & ~equal};
+  wire equal_2 = ACC == 3'd3;
   wire condition = power & ~was;
-  wire [15:0] choice = condition ? 16'd0 : ACC;
-  wire [15:0] choice_2 = run ? sum : choice;
-  wire choice_3 = run ? less_2 : condition;
-  wire [15:0] choice_4 = (choice_3 | power) ? choice_2 : 16'd0;
-  wire [15:0] ACC_next = EN ? choice_4 : 16'd0;
+  wire [2:0] choice = condition ? 3'd0 : ACC;
+  wire [2:0] choice_2 = run ? sum : choice;
+  wire choice_3 = run ? ~(unit & equal_2 | equal) : condition;
+  wire [2:0] choice_4 = (choice_3 | power) ? choice_2 : 3'd0;
+  wire [2:0] ACC_next = EN ? choice_4 : 3'd0;
   wire run_next = EN & choice_3;
 
   assign Q = EN & choice_3;
 
   always @(posedge clk) begin
     if (rst) begin
-      ACC <= 16'd0;
+      ACC <= 3'd0;
       run <= 1'b0;
       was <= 1'b0;
     end else begin
@@ -219,8 +205,6 @@ module paper_timers (
   );
   wire every_100ms_Q;
   paper_timers_DIVIDER_N1 every_100ms (
-    .clk(clk),
-    .rst(rst),
     .tick(tick),
     .Q(every_100ms_Q)
   );

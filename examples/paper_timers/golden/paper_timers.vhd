@@ -20,16 +20,16 @@ entity paper_timers_DIVIDER_N10 is
 end entity paper_timers_DIVIDER_N10;
 
 architecture rtl of paper_timers_DIVIDER_N10 is
-  signal CV : unsigned(31 downto 0) := (others => '0');
+  signal CV : unsigned(3 downto 0) := (others => '0');
   signal equal : std_logic;
   signal Q_value : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal CV_next : unsigned(31 downto 0);
+  signal sum : unsigned(3 downto 0);
+  signal CV_next : unsigned(3 downto 0);
 begin
   equal <= '1' when CV = 9 else '0';
   Q_value <= tick and equal;
-  sum <= CV + (to_unsigned(0, 31) & tick);
-  CV_next <= to_unsigned(0, 32) when Q_value = '1' else sum;
+  sum <= CV + (to_unsigned(0, 3) & tick);
+  CV_next <= to_unsigned(0, 4) when Q_value = '1' else sum;
 
   Q <= Q_value;
 
@@ -57,37 +57,15 @@ use ieee.numeric_std.all;
 
 entity paper_timers_DIVIDER_N1 is
   port (
-    clk  : in  std_logic;
-    rst  : in  std_logic;
     tick : in  std_logic;
     Q    : out std_logic
   );
 end entity paper_timers_DIVIDER_N1;
 
 architecture rtl of paper_timers_DIVIDER_N1 is
-  signal CV : unsigned(31 downto 0) := (others => '0');
-  signal equal : std_logic;
-  signal Q_value : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal CV_next : unsigned(31 downto 0);
 begin
-  equal <= '1' when CV = 0 else '0';
-  Q_value <= tick and equal;
-  sum <= CV + (to_unsigned(0, 31) & tick);
-  CV_next <= to_unsigned(0, 32) when Q_value = '1' else sum;
 
-  Q <= Q_value;
-
-  process (clk)
-  begin
-    if rising_edge(clk) then
-      if rst = '1' then
-        CV <= (others => '0');
-      else
-        CV <= CV_next;
-      end if;
-    end if;
-  end process;
+  Q <= tick;
 end architecture rtl;
 
 -- TS: timer of seconds in three modes, MODE = OFF
@@ -112,28 +90,32 @@ entity paper_timers_TS_OFF_PV3 is
 end entity paper_timers_TS_OFF_PV3;
 
 architecture rtl of paper_timers_TS_OFF_PV3 is
-  signal ACC : unsigned(15 downto 0) := (others => '0');
+  signal ACC : unsigned(1 downto 0) := (others => '0');
   signal run : std_logic := '0';
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(15 downto 0);
-  signal choice : unsigned(15 downto 0);
-  signal choice_2 : unsigned(15 downto 0);
-  signal less_2 : std_logic;
+  signal equal : std_logic;
+  signal sum : unsigned(1 downto 0);
   signal condition : std_logic;
-  signal ACC_next : unsigned(15 downto 0);
+  signal choice : unsigned(1 downto 0);
+  signal choice_2 : unsigned(1 downto 0);
+  signal equal_2 : std_logic;
+  signal condition_2 : std_logic;
+  signal ACC_next : unsigned(1 downto 0);
   signal run_next : std_logic;
 begin
-  less <= '1' when signed(ACC) < 3 else '0';
-  sum <= ACC + (to_unsigned(0, 15) & (run and unit and less));
-  choice <= to_unsigned(0, 16) when (run and was) = '1' else sum;
-  choice_2 <= to_unsigned(0, 16) when power = '1' else choice;
-  less_2 <= '1' when signed(choice_2) < 3 else '0';
-  condition <= power or (run and less_2);
-  ACC_next <= choice_2 when EN = '1' else to_unsigned(0, 16);
-  run_next <= EN and condition;
+  equal <= '1' when ACC = 3 else '0';
+  sum <= ACC + (to_unsigned(0, 1) & (run and unit and not equal));
+  condition <= run and was;
+  choice <= to_unsigned(0, 2) when condition = '1' else sum;
+  choice_2 <= to_unsigned(0, 2) when power = '1' else choice;
+  equal_2 <= '1' when ACC = 2 else '0';
+  condition_2 <=
+      power
+      or (run and not (not power and not condition and ((run and unit and equal_2) or equal)));
+  ACC_next <= choice_2 when EN = '1' else to_unsigned(0, 2);
+  run_next <= EN and condition_2;
 
-  Q <= EN and condition;
+  Q <= EN and condition_2;
 
   process (clk)
   begin
@@ -174,19 +156,21 @@ entity paper_timers_TT_PV5 is
 end entity paper_timers_TT_PV5;
 
 architecture rtl of paper_timers_TT_PV5 is
-  signal ACC : unsigned(15 downto 0) := (others => '0');
+  signal ACC : unsigned(2 downto 0) := (others => '0');
   signal ran : std_logic := '0';
   signal ran_next : std_logic;
-  signal less : std_logic;
-  signal sum : unsigned(15 downto 0);
-  signal ACC_next : unsigned(15 downto 0);
+  signal equal : std_logic;
+  signal sum : unsigned(2 downto 0);
+  signal ACC_next : unsigned(2 downto 0);
+  signal equal_2 : std_logic;
 begin
   ran_next <= power and EN;
-  less <= '1' when signed(ACC) < 5 else '0';
-  sum <= ACC + (to_unsigned(0, 15) & (ran_next and ran and unit and less));
-  ACC_next <= sum when EN = '1' else to_unsigned(0, 16);
+  equal <= '1' when ACC = 5 else '0';
+  sum <= ACC + (to_unsigned(0, 2) & (ran_next and ran and unit and not equal));
+  ACC_next <= sum when EN = '1' else to_unsigned(0, 3);
+  equal_2 <= '1' when ACC = 4 else '0';
 
-  Q <= '1' when signed(ACC_next) >= 5 else '0';
+  Q <= EN and ((ran_next and ran and unit and equal_2) or equal);
 
   process (clk)
   begin
@@ -224,29 +208,29 @@ entity paper_timers_TT_INTERVAL_PV4 is
 end entity paper_timers_TT_INTERVAL_PV4;
 
 architecture rtl of paper_timers_TT_INTERVAL_PV4 is
-  signal ACC : unsigned(15 downto 0) := (others => '0');
+  signal ACC : unsigned(2 downto 0) := (others => '0');
   signal run : std_logic := '0';
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(15 downto 0);
-  signal less_2 : std_logic;
+  signal equal : std_logic;
+  signal sum : unsigned(2 downto 0);
+  signal equal_2 : std_logic;
   signal condition : std_logic;
-  signal choice : unsigned(15 downto 0);
-  signal choice_2 : unsigned(15 downto 0);
+  signal choice : unsigned(2 downto 0);
+  signal choice_2 : unsigned(2 downto 0);
   signal choice_3 : std_logic;
-  signal choice_4 : unsigned(15 downto 0);
-  signal ACC_next : unsigned(15 downto 0);
+  signal choice_4 : unsigned(2 downto 0);
+  signal ACC_next : unsigned(2 downto 0);
   signal run_next : std_logic;
 begin
-  less <= '1' when signed(ACC) < 4 else '0';
-  sum <= ACC + (to_unsigned(0, 15) & (unit and less));
-  less_2 <= '1' when signed(sum) < 4 else '0';
+  equal <= '1' when ACC = 4 else '0';
+  sum <= ACC + (to_unsigned(0, 2) & (unit and not equal));
+  equal_2 <= '1' when ACC = 3 else '0';
   condition <= power and not was;
-  choice <= to_unsigned(0, 16) when condition = '1' else ACC;
+  choice <= to_unsigned(0, 3) when condition = '1' else ACC;
   choice_2 <= sum when run = '1' else choice;
-  choice_3 <= less_2 when run = '1' else condition;
-  choice_4 <= choice_2 when (choice_3 or power) = '1' else to_unsigned(0, 16);
-  ACC_next <= choice_4 when EN = '1' else to_unsigned(0, 16);
+  choice_3 <= not ((unit and equal_2) or equal) when run = '1' else condition;
+  choice_4 <= choice_2 when (choice_3 or power) = '1' else to_unsigned(0, 3);
+  ACC_next <= choice_4 when EN = '1' else to_unsigned(0, 3);
   run_next <= EN and choice_3;
 
   Q <= EN and choice_3;
@@ -318,8 +302,6 @@ begin
     );
   every_100ms: entity work.paper_timers_DIVIDER_N1
     port map (
-      clk => clk,
-      rst => rst,
       tick => tick,
       Q => every_100ms_Q
     );

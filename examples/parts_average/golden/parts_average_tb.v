@@ -238,24 +238,24 @@ module parts_average_tb;
       scan(1, 1'b0);
     end
     scan(59, 1'b1);
-    #1 if (!failed && &expect_0 !== 1'b1) begin // parts_average.ladder:47
+    #1 if (!failed && &expect_0 !== 1'b1) begin // parts_average.ladder:50
       failed = 1'b1;
-      $display("# failed expectation 0 conducts %b last_minute=%b average_10=%b average_60=%b at %0s", expect_0, last_minute, average_10, average_60, "parts_average.ladder:47");
+      $display("# failed expectation 0 conducts %b last_minute=%b average_10=%b average_60=%b at %0s", expect_0, last_minute, average_10, average_60, "parts_average.ladder:50");
     end
     scan(1, 1'b1);
-    #1 if (!failed && &expect_1 !== 1'b1) begin // parts_average.ladder:49
+    #1 if (!failed && &expect_1 !== 1'b1) begin // parts_average.ladder:52
       failed = 1'b1;
-      $display("# failed expectation 1 conducts %b last_minute=%b average_10=%b average_60=%b at %0s", expect_1, last_minute, average_10, average_60, "parts_average.ladder:49");
+      $display("# failed expectation 1 conducts %b last_minute=%b average_10=%b average_60=%b at %0s", expect_1, last_minute, average_10, average_60, "parts_average.ladder:52");
     end
     scan(59, 1'b1);
-    #1 if (!failed && &expect_2 !== 1'b1) begin // parts_average.ladder:51
+    #1 if (!failed && &expect_2 !== 1'b1) begin // parts_average.ladder:54
       failed = 1'b1;
-      $display("# failed expectation 2 conducts %b last_minute=%b at %0s", expect_2, last_minute, "parts_average.ladder:51");
+      $display("# failed expectation 2 conducts %b last_minute=%b at %0s", expect_2, last_minute, "parts_average.ladder:54");
     end
     scan(1, 1'b1);
-    #1 if (!failed && &expect_3 !== 1'b1) begin // parts_average.ladder:53
+    #1 if (!failed && &expect_3 !== 1'b1) begin // parts_average.ladder:56
       failed = 1'b1;
-      $display("# failed expectation 3 conducts %b last_minute=%b average_10=%b average_60=%b at %0s", expect_3, last_minute, average_10, average_60, "parts_average.ladder:53");
+      $display("# failed expectation 3 conducts %b last_minute=%b average_10=%b average_60=%b at %0s", expect_3, last_minute, average_10, average_60, "parts_average.ladder:56");
     end
     if (failed) begin
       failures = failures + 1;
@@ -278,36 +278,36 @@ module parts_average_tb;
     repeat (2) begin
       scan(60, 1'b1);
     end
-    #1 if (!failed && &expect_4 !== 1'b1) begin // parts_average.ladder:62
+    #1 if (!failed && &expect_4 !== 1'b1) begin // parts_average.ladder:65
       failed = 1'b1;
-      $display("# failed expectation 4 conducts %b last_minute=%b average_10=%b average_60=%b at %0s", expect_4, last_minute, average_10, average_60, "parts_average.ladder:62");
+      $display("# failed expectation 4 conducts %b last_minute=%b average_10=%b average_60=%b at %0s", expect_4, last_minute, average_10, average_60, "parts_average.ladder:65");
     end
     repeat (4) begin
       scan(60, 1'b1);
     end
-    #1 if (!failed && &expect_5 !== 1'b1) begin // parts_average.ladder:64
+    #1 if (!failed && &expect_5 !== 1'b1) begin // parts_average.ladder:67
       failed = 1'b1;
-      $display("# failed expectation 5 conducts %b average_10=%b average_60=%b at %0s", expect_5, average_10, average_60, "parts_average.ladder:64");
+      $display("# failed expectation 5 conducts %b average_10=%b average_60=%b at %0s", expect_5, average_10, average_60, "parts_average.ladder:67");
     end
     scan(60, 1'b1);
-    #1 if (!failed && &expect_6 !== 1'b1) begin // parts_average.ladder:66
+    #1 if (!failed && &expect_6 !== 1'b1) begin // parts_average.ladder:69
       failed = 1'b1;
-      $display("# failed expectation 6 conducts %b average_10=%b at %0s", expect_6, average_10, "parts_average.ladder:66");
+      $display("# failed expectation 6 conducts %b average_10=%b at %0s", expect_6, average_10, "parts_average.ladder:69");
     end
     scan(60, 1'b1);
-    #1 if (!failed && &expect_7 !== 1'b1) begin // parts_average.ladder:68
+    #1 if (!failed && &expect_7 !== 1'b1) begin // parts_average.ladder:71
       failed = 1'b1;
-      $display("# failed expectation 7 conducts %b average_10=%b average_60=%b at %0s", expect_7, average_10, average_60, "parts_average.ladder:68");
+      $display("# failed expectation 7 conducts %b average_10=%b average_60=%b at %0s", expect_7, average_10, average_60, "parts_average.ladder:71");
     end
     scan(60, 1'b1);
-    #1 if (!failed && &expect_8 !== 1'b1) begin // parts_average.ladder:70
+    #1 if (!failed && &expect_8 !== 1'b1) begin // parts_average.ladder:73
       failed = 1'b1;
-      $display("# failed expectation 8 conducts %b average_10=%b average_60=%b at %0s", expect_8, average_10, average_60, "parts_average.ladder:70");
+      $display("# failed expectation 8 conducts %b average_10=%b average_60=%b at %0s", expect_8, average_10, average_60, "parts_average.ladder:73");
     end
     scan(60, 1'b1);
-    #1 if (!failed && &expect_9 !== 1'b1) begin // parts_average.ladder:72
+    #1 if (!failed && &expect_9 !== 1'b1) begin // parts_average.ladder:75
       failed = 1'b1;
-      $display("# failed expectation 9 conducts %b average_10=%b average_60=%b at %0s", expect_9, average_10, average_60, "parts_average.ladder:72");
+      $display("# failed expectation 9 conducts %b average_10=%b average_60=%b at %0s", expect_9, average_10, average_60, "parts_average.ladder:75");
     end
     if (failed) begin
       failures = failures + 1;
@@ -325,14 +325,14 @@ module parts_average_tb;
       scan(1, 1'b0);
     end
     scan(60, 1'b1);
-    #1 if (!failed && &expect_10 !== 1'b1) begin // parts_average.ladder:78
+    #1 if (!failed && &expect_10 !== 1'b1) begin // parts_average.ladder:81
       failed = 1'b1;
-      $display("# failed expectation 10 conducts %b average_60=%b at %0s", expect_10, average_60, "parts_average.ladder:78");
+      $display("# failed expectation 10 conducts %b average_60=%b at %0s", expect_10, average_60, "parts_average.ladder:81");
     end
     scan(3540, 1'b1);
-    #1 if (!failed && &expect_11 !== 1'b1) begin // parts_average.ladder:80
+    #1 if (!failed && &expect_11 !== 1'b1) begin // parts_average.ladder:83
       failed = 1'b1;
-      $display("# failed expectation 11 conducts %b average_10=%b average_60=%b at %0s", expect_11, average_10, average_60, "parts_average.ladder:80");
+      $display("# failed expectation 11 conducts %b average_10=%b average_60=%b at %0s", expect_11, average_10, average_60, "parts_average.ladder:83");
     end
     repeat (30) begin
       sensor = 1'd1;
@@ -341,19 +341,19 @@ module parts_average_tb;
       scan(1, 1'b0);
     end
     scan(60, 1'b1);
-    #1 if (!failed && &expect_12 !== 1'b1) begin // parts_average.ladder:83
+    #1 if (!failed && &expect_12 !== 1'b1) begin // parts_average.ladder:86
       failed = 1'b1;
-      $display("# failed expectation 12 conducts %b last_minute=%b average_10=%b average_60=%b at %0s", expect_12, last_minute, average_10, average_60, "parts_average.ladder:83");
+      $display("# failed expectation 12 conducts %b last_minute=%b average_10=%b average_60=%b at %0s", expect_12, last_minute, average_10, average_60, "parts_average.ladder:86");
     end
     scan(3540, 1'b1);
-    #1 if (!failed && &expect_13 !== 1'b1) begin // parts_average.ladder:85
+    #1 if (!failed && &expect_13 !== 1'b1) begin // parts_average.ladder:88
       failed = 1'b1;
-      $display("# failed expectation 13 conducts %b average_60=%b at %0s", expect_13, average_60, "parts_average.ladder:85");
+      $display("# failed expectation 13 conducts %b average_60=%b at %0s", expect_13, average_60, "parts_average.ladder:88");
     end
     scan(60, 1'b1);
-    #1 if (!failed && &expect_14 !== 1'b1) begin // parts_average.ladder:87
+    #1 if (!failed && &expect_14 !== 1'b1) begin // parts_average.ladder:90
       failed = 1'b1;
-      $display("# failed expectation 14 conducts %b average_60=%b average_10=%b at %0s", expect_14, average_60, average_10, "parts_average.ladder:87");
+      $display("# failed expectation 14 conducts %b average_60=%b average_10=%b at %0s", expect_14, average_60, average_10, "parts_average.ladder:90");
     end
     if (failed) begin
       failures = failures + 1;
@@ -367,14 +367,14 @@ module parts_average_tb;
     scan(59, 1'b1);
     sensor = 1'd1;
     scan(1, 1'b1);
-    #1 if (!failed && &expect_15 !== 1'b1) begin // parts_average.ladder:93
+    #1 if (!failed && &expect_15 !== 1'b1) begin // parts_average.ladder:96
       failed = 1'b1;
-      $display("# failed expectation 15 conducts %b last_minute=%b at %0s", expect_15, last_minute, "parts_average.ladder:93");
+      $display("# failed expectation 15 conducts %b last_minute=%b at %0s", expect_15, last_minute, "parts_average.ladder:96");
     end
     scan(60, 1'b1);
-    #1 if (!failed && &expect_16 !== 1'b1) begin // parts_average.ladder:95
+    #1 if (!failed && &expect_16 !== 1'b1) begin // parts_average.ladder:98
       failed = 1'b1;
-      $display("# failed expectation 16 conducts %b last_minute=%b at %0s", expect_16, last_minute, "parts_average.ladder:95");
+      $display("# failed expectation 16 conducts %b last_minute=%b at %0s", expect_16, last_minute, "parts_average.ladder:98");
     end
     sensor = 1'd0;
     scan(1, 1'b0);
@@ -383,9 +383,9 @@ module parts_average_tb;
     sensor = 1'd0;
     scan(1, 1'b0);
     scan(60, 1'b1);
-    #1 if (!failed && &expect_17 !== 1'b1) begin // parts_average.ladder:99
+    #1 if (!failed && &expect_17 !== 1'b1) begin // parts_average.ladder:102
       failed = 1'b1;
-      $display("# failed expectation 17 conducts %b last_minute=%b at %0s", expect_17, last_minute, "parts_average.ladder:99");
+      $display("# failed expectation 17 conducts %b last_minute=%b at %0s", expect_17, last_minute, "parts_average.ladder:102");
     end
     if (failed) begin
       failures = failures + 1;

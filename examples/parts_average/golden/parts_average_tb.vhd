@@ -257,7 +257,7 @@ begin
       scan(1, '0');
     end loop;
     scan(59, '1');
-    wait for 1 ns; -- parts_average.ladder:47
+    wait for 1 ns; -- parts_average.ladder:50
     if not failed and (expect_0_0 and expect_0_1 and expect_0_2) /= '1' then
       failed := true;
       print("# failed expectation 0 conducts " & image(expect_0_0) & image(expect_0_1) & image(expect_0_2)
@@ -266,7 +266,7 @@ begin
           & " average_60=" & image(average_60));
     end if;
     scan(1, '1');
-    wait for 1 ns; -- parts_average.ladder:49
+    wait for 1 ns; -- parts_average.ladder:52
     if not failed and (expect_1_0 and expect_1_1 and expect_1_2) /= '1' then
       failed := true;
       print("# failed expectation 1 conducts " & image(expect_1_0) & image(expect_1_1) & image(expect_1_2)
@@ -275,14 +275,14 @@ begin
           & " average_60=" & image(average_60));
     end if;
     scan(59, '1');
-    wait for 1 ns; -- parts_average.ladder:51
+    wait for 1 ns; -- parts_average.ladder:54
     if not failed and (expect_2_0) /= '1' then
       failed := true;
       print("# failed expectation 2 conducts " & image(expect_2_0)
           & " last_minute=" & image(last_minute));
     end if;
     scan(1, '1');
-    wait for 1 ns; -- parts_average.ladder:53
+    wait for 1 ns; -- parts_average.ladder:56
     if not failed and (expect_3_0 and expect_3_1 and expect_3_2) /= '1' then
       failed := true;
       print("# failed expectation 3 conducts " & image(expect_3_0) & image(expect_3_1) & image(expect_3_2)
@@ -313,7 +313,7 @@ begin
     for round in 1 to 2 loop
       scan(60, '1');
     end loop;
-    wait for 1 ns; -- parts_average.ladder:62
+    wait for 1 ns; -- parts_average.ladder:65
     if not failed and (expect_4_0 and expect_4_1 and expect_4_2) /= '1' then
       failed := true;
       print("# failed expectation 4 conducts " & image(expect_4_0) & image(expect_4_1) & image(expect_4_2)
@@ -324,7 +324,7 @@ begin
     for round in 1 to 4 loop
       scan(60, '1');
     end loop;
-    wait for 1 ns; -- parts_average.ladder:64
+    wait for 1 ns; -- parts_average.ladder:67
     if not failed and (expect_5_0 and expect_5_1) /= '1' then
       failed := true;
       print("# failed expectation 5 conducts " & image(expect_5_0) & image(expect_5_1)
@@ -332,14 +332,14 @@ begin
           & " average_60=" & image(average_60));
     end if;
     scan(60, '1');
-    wait for 1 ns; -- parts_average.ladder:66
+    wait for 1 ns; -- parts_average.ladder:69
     if not failed and (expect_6_0) /= '1' then
       failed := true;
       print("# failed expectation 6 conducts " & image(expect_6_0)
           & " average_10=" & image(average_10));
     end if;
     scan(60, '1');
-    wait for 1 ns; -- parts_average.ladder:68
+    wait for 1 ns; -- parts_average.ladder:71
     if not failed and (expect_7_0 and expect_7_1) /= '1' then
       failed := true;
       print("# failed expectation 7 conducts " & image(expect_7_0) & image(expect_7_1)
@@ -347,7 +347,7 @@ begin
           & " average_60=" & image(average_60));
     end if;
     scan(60, '1');
-    wait for 1 ns; -- parts_average.ladder:70
+    wait for 1 ns; -- parts_average.ladder:73
     if not failed and (expect_8_0 and expect_8_1) /= '1' then
       failed := true;
       print("# failed expectation 8 conducts " & image(expect_8_0) & image(expect_8_1)
@@ -355,7 +355,7 @@ begin
           & " average_60=" & image(average_60));
     end if;
     scan(60, '1');
-    wait for 1 ns; -- parts_average.ladder:72
+    wait for 1 ns; -- parts_average.ladder:75
     if not failed and (expect_9_0 and expect_9_1) /= '1' then
       failed := true;
       print("# failed expectation 9 conducts " & image(expect_9_0) & image(expect_9_1)
@@ -380,14 +380,14 @@ begin
       scan(1, '0');
     end loop;
     scan(60, '1');
-    wait for 1 ns; -- parts_average.ladder:78
+    wait for 1 ns; -- parts_average.ladder:81
     if not failed and (expect_10_0) /= '1' then
       failed := true;
       print("# failed expectation 10 conducts " & image(expect_10_0)
           & " average_60=" & image(average_60));
     end if;
     scan(3540, '1');
-    wait for 1 ns; -- parts_average.ladder:80
+    wait for 1 ns; -- parts_average.ladder:83
     if not failed and (expect_11_0 and expect_11_1) /= '1' then
       failed := true;
       print("# failed expectation 11 conducts " & image(expect_11_0) & image(expect_11_1)
@@ -401,7 +401,7 @@ begin
       scan(1, '0');
     end loop;
     scan(60, '1');
-    wait for 1 ns; -- parts_average.ladder:83
+    wait for 1 ns; -- parts_average.ladder:86
     if not failed and (expect_12_0 and expect_12_1 and expect_12_2) /= '1' then
       failed := true;
       print("# failed expectation 12 conducts " & image(expect_12_0) & image(expect_12_1) & image(expect_12_2)
@@ -410,14 +410,14 @@ begin
           & " average_60=" & image(average_60));
     end if;
     scan(3540, '1');
-    wait for 1 ns; -- parts_average.ladder:85
+    wait for 1 ns; -- parts_average.ladder:88
     if not failed and (expect_13_0) /= '1' then
       failed := true;
       print("# failed expectation 13 conducts " & image(expect_13_0)
           & " average_60=" & image(average_60));
     end if;
     scan(60, '1');
-    wait for 1 ns; -- parts_average.ladder:87
+    wait for 1 ns; -- parts_average.ladder:90
     if not failed and (expect_14_0 and expect_14_1) /= '1' then
       failed := true;
       print("# failed expectation 14 conducts " & image(expect_14_0) & image(expect_14_1)
@@ -438,14 +438,14 @@ begin
     scan(59, '1');
     sensor <= '1';
     scan(1, '1');
-    wait for 1 ns; -- parts_average.ladder:93
+    wait for 1 ns; -- parts_average.ladder:96
     if not failed and (expect_15_0) /= '1' then
       failed := true;
       print("# failed expectation 15 conducts " & image(expect_15_0)
           & " last_minute=" & image(last_minute));
     end if;
     scan(60, '1');
-    wait for 1 ns; -- parts_average.ladder:95
+    wait for 1 ns; -- parts_average.ladder:98
     if not failed and (expect_16_0) /= '1' then
       failed := true;
       print("# failed expectation 16 conducts " & image(expect_16_0)
@@ -458,7 +458,7 @@ begin
     sensor <= '0';
     scan(1, '0');
     scan(60, '1');
-    wait for 1 ns; -- parts_average.ladder:99
+    wait for 1 ns; -- parts_average.ladder:102
     if not failed and (expect_17_0) /= '1' then
       failed := true;
       print("# failed expectation 17 conducts " & image(expect_17_0)

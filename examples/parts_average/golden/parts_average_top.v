@@ -19,12 +19,12 @@ module parts_average_top (
   end
   wire core_rst = reset_pipe[1];
 
-  // Tick: every 12000000 clocks of 12 MHz, wanted every 1 s, error 0 ppm.
-  reg [23:0] prescaler = 24'd0;
-  wire tick = prescaler == 24'd11999999;
+  // Tick: every 1000000 clocks of 1 MHz, wanted every 1 s, error 0 ppm.
+  reg [19:0] prescaler = 20'd0;
+  wire tick = prescaler == 20'd999999;
   always @(posedge clk) begin
-    if (core_rst) prescaler <= 24'd0;
-    else prescaler <= tick ? 24'd0 : prescaler + 24'd1;
+    if (core_rst) prescaler <= 20'd0;
+    else prescaler <= tick ? 20'd0 : prescaler + 20'd1;
   end
 
   // Inputs: two flip-flops for each bit.

@@ -21,7 +21,7 @@ architecture rtl of parts_average_top is
   signal reset_pipe : std_logic_vector(1 downto 0) := "11";
   attribute async_reg of reset_pipe : signal is "TRUE";
   signal core_rst : std_logic;
-  signal prescaler : unsigned(23 downto 0) := (others => '0');
+  signal prescaler : unsigned(19 downto 0) := (others => '0');
   signal tick : std_logic;
   signal sensor_meta : std_logic := '0';
   signal sensor_sync : std_logic := '0';
@@ -40,8 +40,8 @@ begin
   end process;
   core_rst <= reset_pipe(1);
 
-  -- Tick: every 12000000 clocks of 12 MHz, wanted every 1 s, error 0 ppm.
-  tick <= '1' when prescaler = 11999999 else '0';
+  -- Tick: every 1000000 clocks of 1 MHz, wanted every 1 s, error 0 ppm.
+  tick <= '1' when prescaler = 999999 else '0';
   process (clk)
   begin
     if rising_edge(clk) then

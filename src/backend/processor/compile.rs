@@ -8,14 +8,15 @@ use std::collections::HashSet;
 
 use super::encode::fit;
 use super::layout::{Layout, full};
+use super::listing::{Symbols, listing};
 use super::rom::Rom;
 use super::tree::{Contact, Tree};
 use super::usage;
 use super::word::{Address, CODE_WORDS, Operation, Prefix, Word};
+use crate::backend::hdl::Harmless;
 use crate::diagnostic::{Diagnostic, code};
 use crate::model::{CoilAction, Edge, Element, InstanceId, Place, Program, Role, VariableId};
 use crate::source::Span;
-use crate::types::Type;
 
 /// A program on the processor.
 #[derive(Clone, Debug)]
@@ -26,6 +27,27 @@ pub struct Image {
     pub layout: Layout,
     /// For each word the index of the rung that it comes from; nothing for what the compiler adds.
     pub rungs: Vec<Option<usize>>,
+}
+
+impl Image {
+    /// The listing with the names of the program and its rungs.
+    pub fn listing(&self, program: &Program, source: &str) -> String {
+        let heading = |at: usize| {
+            let rung = self.rungs[at];
+            let first = at == 0 || self.rungs[at - 1] != rung;
+            let rung = rung.filter(|_| first)?;
+            let meant = &program.rungs[rung];
+            let title =
+                meant.title.as_ref().map(|title| format!(" \"{}\"", Harmless::unicode(title)));
+            Some(format!("rung {}{}, {source}:{}", rung + 1, title.unwrap_or_default(), meant.line))
+        };
+        let symbols = Symbols {
+            bit: &|address| self.layout.bit_names.get(&address).cloned(),
+            register: &|register| self.layout.register_names.get(&register).cloned(),
+            heading: &heading,
+        };
+        listing(&self.rom, &symbols)
+    }
 }
 
 /// Compiles a checked program for the processor.
@@ -144,6 +166,10 @@ impl Compiler<'_> {
     pub(super) fn word(&mut self, word: Word) {
         self.rom.code.push(word.encode());
         self.rungs.push(self.rung);
+    }
+
+    pub(super) fn operation(&mut self, operation: Operation, coil: Address) {
+        self.word(Word::Output { operation, coil });
     }
 
     pub(super) fn prefix(&mut self, prefix: Prefix) {
@@ -295,10 +321,10 @@ impl Compiler<'_> {
                     self.inverted(&tree).map(Power::Drawn)
                 }
             },
-            Element::Coil { target, action, span } => {
-                let target = self.whole(target, *span)?;
-                self.coil(target, *action, power)
-            }
+            Element::Coil { target, action, span } => match target.as_variable() {
+                Some(target) => self.coil(target, *action, power),
+                None => self.register_coil(target, *action, *span, power),
+            },
             Element::ResetInstance(instance) => self.reset_instance(*instance, power),
             Element::Assign { target, value, span } => {
                 let target = self.whole(target, *span)?;
@@ -318,14 +344,12 @@ impl Compiler<'_> {
         match element {
             Element::Constant(value) => Ok(Tree::constant(*value)),
             Element::Contact { place, negated, span } => {
-                let variable = self.whole(place, *span)?;
-                let address = self.readable(variable, *span)?;
+                let address = self.bit_of(place, *span)?;
                 Ok(Tree::Contact(Contact { address, negated: *negated }))
             }
             Element::Edge { place, edge, memory } => {
                 let span = self.program.variables[*memory].span;
-                let variable = self.whole(place, span)?;
-                let address = self.readable(variable, span)?;
+                let address = self.bit_of(place, span)?;
                 let coil = self.flag()?;
                 self.change(Contact { address, negated: false }, *edge, *memory, coil)?;
                 Ok(Tree::on(coil))
@@ -370,27 +394,6 @@ impl Compiler<'_> {
             Role::Member(..) => Reported,
             _ => self.cannot(span, "this contact", format!("`{name}` has no image address")),
         })
-    }
-
-    /// The register of a number that the program does not change: it has its initial value, or an
-    /// input's, which the host writes.
-    pub(super) fn number(&mut self, variable: VariableId, span: Span) -> Done<u16> {
-        if let Some(register) = self.layout.register(variable) {
-            return Ok(register);
-        }
-        let declared = &self.program.variables[variable];
-        let (name, initial) = (declared.name.to_string(), declared.ty.bits(declared.initial));
-        if declared.ty != Type::Int {
-            let label = format!("`{name}` is {}", declared.ty);
-            return Err(self.cannot(span, "such a preset", label));
-        }
-        let register = self.layout.presets(&[name], span);
-        let register = self.limit(register)?;
-        self.layout.place(variable, register);
-        if initial != 0 {
-            self.rom.registers.insert(register, initial as u16);
-        }
-        Ok(register)
     }
 
     /// Branches with outputs in them: each is worked out in its turn.

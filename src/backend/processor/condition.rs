@@ -12,10 +12,7 @@ impl Compiler<'_> {
     pub(super) fn condition(&mut self, expr: &Expr, span: Span) -> Done<Tree> {
         match &expr.kind {
             ExprKind::Constant(value) => Ok(Tree::constant(*value != 0)),
-            ExprKind::Read(place) => {
-                let variable = self.whole(place, span)?;
-                Ok(Tree::on(self.readable(variable, span)?))
-            }
+            ExprKind::Read(place) => Ok(Tree::on(self.bit_of(place, span)?)),
             ExprKind::Convert(_) | ExprKind::Call(..) => {
                 Err(self.cannot(span, "functions and conversions", "an expression with one"))
             }
@@ -79,9 +76,7 @@ impl Compiler<'_> {
             let label = format!("a value of type {}", value.ty);
             return Err(self.cannot(span, "an assignment of numbers", label));
         }
-        let Some(coil) = self.address(target) else {
-            return Err(self.readable(target, span).err().expect("it has no address"));
-        };
+        let coil = self.readable(target, span)?;
         let left = self.drawn(power)?;
         let value = self.condition(value, span)?;
         if left.is_wire() {

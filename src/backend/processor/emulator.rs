@@ -1,6 +1,6 @@
 //! Runs an image word by word, as the processor does, and counts its clocks.
 
-use super::function::Functions;
+use super::function::{self, Functions};
 use super::rom::{Fault, Rom};
 use super::word::{
     Address, Attribute, FIRST_OUTPUT, IMAGE_BITS, ONE, Operation, Prefix, STACK_DEPTH, Word,
@@ -9,6 +9,21 @@ use super::word::{
 /// Clocks of a scan besides one for each word, each input and each output: one to sample, two
 /// until the first word is there, one behind the last output, one to show them.
 pub const CLOCKS_AROUND: u64 = 5;
+
+/// The clocks of each scan: there are no jumps, so all scans take the same.
+pub fn clocks_of_scan(rom: &Rom) -> u64 {
+    let mut number = 0;
+    let mut clocks = CLOCKS_AROUND + u64::from(rom.pins.inputs) + u64::from(rom.pins.outputs);
+    for &bits in &rom.code {
+        clocks += 1;
+        match Word::decode(bits) {
+            Ok(Word::Prefix(Prefix::Number(given))) => number = given,
+            Ok(Word::Output { operation, .. }) => clocks += function::clocks(operation, number),
+            _ => {}
+        }
+    }
+    clocks
+}
 
 /// A processor that runs an image.
 #[derive(Clone, Debug)]
@@ -114,6 +129,11 @@ impl<'r> Machine<'r> {
         self.inputs[usize::from(input)] = value;
     }
 
+    /// An input as it is driven.
+    pub fn driven(&self, input: Address) -> bool {
+        self.inputs[usize::from(input)]
+    }
+
     /// A bit of the image.
     pub fn bit(&self, address: Address) -> bool {
         self.image[usize::from(address)]
@@ -189,8 +209,8 @@ impl<'r> Machine<'r> {
             Operation::Reset => self.image[coil] &= !power,
             Operation::End => {}
             function => {
+                self.clocks += self.functions.clocks(function);
                 let result = self.functions.run(function, power);
-                self.clocks += result.clocks;
                 if let Some(value) = result.coil {
                     self.image[coil] = value;
                 }

@@ -18,8 +18,6 @@ pub(super) struct Outcome {
     pub coil: Option<bool>,
     /// The coils of the taps.
     pub taps: Vec<bool>,
-    /// Clocks besides that of the word.
-    pub clocks: u64,
 }
 
 /// The register array, the units and what the prefixes have given.
@@ -116,6 +114,11 @@ impl Functions {
         }
     }
 
+    /// Clocks of a function besides that of its word.
+    pub fn clocks(&self, operation: Operation) -> u64 {
+        clocks(operation, self.number)
+    }
+
     /// Executes a function; the circuits that prefixes have latched are used up.
     pub fn run(&mut self, operation: Operation, power: bool) -> Outcome {
         let outcome = match operation {
@@ -192,7 +195,7 @@ impl Functions {
             }
         };
         self.registers[count] = new;
-        Outcome { coil: Some(coil), clocks: 3, ..Outcome::default() }
+        Outcome { coil: Some(coil), ..Outcome::default() }
     }
 
     fn count_up(&mut self, power: bool) -> Outcome {
@@ -204,7 +207,7 @@ impl Functions {
         };
         self.registers[count] = new;
         let coil = new >= self.preset(LARGEST_COUNT);
-        Outcome { coil: Some(coil), clocks: 3, ..Outcome::default() }
+        Outcome { coil: Some(coil), ..Outcome::default() }
     }
 
     fn count_down(&mut self, power: bool) -> Outcome {
@@ -214,7 +217,7 @@ impl Functions {
             true => self.registers[count].saturating_sub(rises.into()),
         };
         self.registers[count] = new;
-        Outcome { coil: Some(new == 0), clocks: 3, ..Outcome::default() }
+        Outcome { coil: Some(new == 0), ..Outcome::default() }
     }
 
     /// The register of the count of a timer unit, and whether its circuit rises.
@@ -239,7 +242,7 @@ impl Functions {
         let tap = |tap: u16| new >= self.registers[usize::from(self.register + 1 + tap)];
         let taps: Vec<bool> = (0..self.number).map(tap).collect();
         let coil = new >= self.preset(LARGEST_STEP);
-        Outcome { coil: Some(coil), clocks: 3 + u64::from(self.number), taps }
+        Outcome { coil: Some(coil), taps }
     }
 
     fn bit(&mut self, power: bool, value: bool) -> Outcome {
@@ -249,22 +252,21 @@ impl Functions {
             *register = if value { *register | mask } else { *register & !mask };
         }
         let coil = (*register & mask != 0) == value;
-        Outcome { coil: Some(coil), clocks: 2, ..Outcome::default() }
+        Outcome { coil: Some(coil), ..Outcome::default() }
     }
 
     fn shift(&mut self, power: bool, left: bool) -> Outcome {
         let unit = &mut self.shifts[self.unit];
         let rises = power && !unit.was;
         unit.was = power;
-        let clocks = 1 + 2 * u64::from(self.number);
         let first = usize::from(self.register);
         let registers = &mut self.registers[first..first + usize::from(self.number)];
         if !self.enable {
             registers.fill(0);
-            return Outcome { coil: Some(false), clocks, ..Outcome::default() };
+            return Outcome { coil: Some(false), ..Outcome::default() };
         }
         if !rises {
-            return Outcome { clocks, ..Outcome::default() };
+            return Outcome::default();
         }
         let mut carry = self.serial;
         let mut one = |register: &mut u16| {
@@ -279,7 +281,25 @@ impl Functions {
             true => registers.iter_mut().for_each(&mut one),
             false => registers.iter_mut().rev().for_each(&mut one),
         }
-        Outcome { coil: Some(carry), clocks, ..Outcome::default() }
+        Outcome { coil: Some(carry), ..Outcome::default() }
+    }
+}
+
+/// Clocks of an operation besides that of its word; some depend on what the prefix NUMBER gave.
+pub(super) fn clocks(operation: Operation, number: u16) -> u64 {
+    match operation {
+        Operation::TimerSeconds
+        | Operation::TimerTenths
+        | Operation::CountUp
+        | Operation::CountDown => 3,
+        Operation::Drum => 3 + u64::from(number),
+        Operation::BitSet | Operation::BitClear => 2,
+        Operation::ShiftLeft | Operation::ShiftRight => 1 + 2 * u64::from(number),
+        Operation::Coil
+        | Operation::Set
+        | Operation::Reset
+        | Operation::Inverted
+        | Operation::End => 0,
     }
 }
 

@@ -7,20 +7,29 @@ mod condition;
 mod decode;
 mod emulator;
 mod encode;
+mod files;
 mod function;
 mod layout;
+mod listing;
+mod memory;
 mod net;
+mod register;
 mod rom;
+mod runner;
 mod tree;
 mod usage;
 mod word;
 
 pub use compile::{Image, compile, compile_observing};
 pub use decode::decode;
-pub use emulator::{CLOCKS_AROUND, Machine, PowerCircuit};
+pub use emulator::{CLOCKS_AROUND, Machine, PowerCircuit, clocks_of_scan};
 pub use encode::{Fitted, encode, fit};
+pub use files::{Part, parameters};
 pub use layout::Layout;
+pub use listing::{Symbols, ladder, listing};
+pub use memory::{Form, Memory, Unreadable};
 pub use rom::{Fault, FaultKind, Pins, Rom, region};
+pub use runner::Runner;
 pub use tree::{Bridge, Contact, Tree};
 pub use word::{
     Address, Attribute, FIRST_FLAG, FIRST_OUTPUT, Illegal, ONE, Operation, Prefix, TimerType, Word,

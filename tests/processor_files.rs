@@ -1,0 +1,193 @@
+//! Images as files: every form comes back, what is damaged is refused, and an image draws the
+//! ladder that it came from.
+
+mod common;
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use common::relay;
+use hotrail::backend::processor::{self, Form, Image, Memory, Part, Rom};
+use hotrail::diagnostic;
+use hotrail::source::Source;
+
+fn image(text: &str) -> Image {
+    let source = Source::new("test.ladder", text);
+    let (program, findings) = hotrail::analyze(&source);
+    let texts: String = findings.iter().map(|f| diagnostic::render(f, &source, false)).collect();
+    let program = program.unwrap_or_else(|| panic!("{text}\n{texts}"));
+    processor::compile(&program).unwrap_or_else(|findings| {
+        let texts = findings.iter().map(|found| diagnostic::render(found, &source, false));
+        panic!("{}", texts.collect::<String>())
+    })
+}
+
+#[test]
+fn every_form_comes_back() {
+    for seed in 0..30 {
+        let (program, _) = hotrail::analyze(&Source::new("test.ladder", relay::program(seed)));
+        let Ok(image) = processor::compile(&program.unwrap()) else { continue };
+        let comments = [processor::parameters(&image.rom)];
+        for form in Form::ALL {
+            let read = Part::ALL.map(|part| {
+                let bytes = image.rom.memory(part).write(form, &comments);
+                part.read(form, &bytes).unwrap_or_else(|wrong| panic!("{form:?}: {wrong:?}"))
+            });
+            let [code, registers, bits] = &read;
+            let back = Rom::of_memories(code, registers, bits, &comments[0]);
+            assert_eq!(back, image.rom, "{form:?}, seed {seed}");
+        }
+    }
+}
+
+fn refused(form: Form, text: &str) -> String {
+    match Memory::read(form, text.as_bytes(), 16, 1024) {
+        Ok(memory) => panic!("{text:?} is read as {memory:?}"),
+        Err(wrong) => {
+            let line = wrong.line.map(|line| format!("line {line}: ")).unwrap_or_default();
+            line + &wrong.problem
+        }
+    }
+}
+
+#[test]
+fn damaged_files_are_refused_with_their_line() {
+    for (form, text, words) in [
+        (Form::Hex, "1809\nxyz\n", "line 2: `xyz` is no number"),
+        (Form::Hex, "12345\n", "no number of 16 bits"),
+        (Form::Hex, "@400\n1809\n", "line 2: the address 400 is outside"),
+        (Form::Hex, "@0\n1809\n@0\n1809\n", "line 4: the address 0 stands there twice"),
+        (Form::IntelHex, "1809\n", "begins with a colon"),
+        (Form::IntelHex, ":0200000009180000\n", "the checksum is wrong"),
+        (Form::IntelHex, ":020000000918DD\n", "the last record is missing"),
+        (Form::IntelHex, ":03000000091800DC\n:00000001FF\n", "half a word"),
+        (Form::IntelHex, ":0200000009\n", "the checksum is wrong"),
+        (Form::IntelHex, ":00000001FF\n:020000000918DD\n", "follows the last one"),
+        (Form::Coe, "memory_initialization_vector=\n1809;\n", "before the vector"),
+        (Form::Coe, "memory_initialization_radix=7;\n", "the radix `7`"),
+        (Form::Mif, "WIDTH=16;\nCONTENT BEGIN\n0 : 1809;\n", "END is missing"),
+        (Form::Mif, "CONTENT BEGIN\n0 1809;\nEND;\n", "an address and a word"),
+        (Form::Binary, "abc", "half a word"),
+    ] {
+        let found = refused(form, text);
+        assert!(found.contains(words), "{text:?}: {found}");
+    }
+    assert!(Memory::read(Form::Binary, &[0; 2050], 16, 1024).is_err());
+    let damaged = |bytes: &[u8]| Form::ALL.map(|form| Memory::read(form, bytes, 16, 1024).is_ok());
+    let mut random = fastrand::Rng::with_seed(4);
+    for _ in 0..2000 {
+        let bytes: Vec<u8> = (0..random.usize(..60))
+            .map(|_| {
+                *[b':', b'0', b'1', b'F', b'@', b'\n', b' ', b';', b'=', b'-', 200][..]
+                    .choose(&mut random)
+            })
+            .collect();
+        damaged(&bytes);
+    }
+}
+
+trait Choose {
+    fn choose(&self, random: &mut fastrand::Rng) -> &u8;
+}
+
+impl Choose for [u8] {
+    fn choose(&self, random: &mut fastrand::Rng) -> &u8 {
+        &self[random.usize(..self.len())]
+    }
+}
+
+/// What is wrong with these words, one by one.
+fn faults(words: &[u16]) -> Vec<String> {
+    let rom = Rom { code: words.to_vec(), ..Rom::default() };
+    rom.faults().iter().map(|fault| format!("{}: {}", fault.at, fault.kind)).collect()
+}
+
+#[test]
+fn images_that_cannot_run_are_told_apart() {
+    const END: u16 = 0xBC00;
+    assert_eq!(faults(&[0x1809, 0x1002, 0xA53C, END]), [""; 0]);
+    assert_eq!(faults(&[0x0009, END]), ["0: no attribute has the code 0000"]);
+    assert_eq!(faults(&[0x2409, END]), ["0: no attribute has the code 1001"]);
+    assert_eq!(faults(&[0xB400, END]), ["0: no operation has the code 1101"]);
+    assert_eq!(faults(&[0xD800, END]), ["0: no prefix has the code 0110"]);
+    assert_eq!(faults(&[0x1001, END]), ["0: a bit is taken from the empty stack 2"]);
+    assert_eq!(faults(&[0x0C01, END]), ["0: a bit is taken from the empty stack 1"]);
+    let deep = [0x0801, 0x0801, 0x0801, 0x0801, 0x0801, END];
+    assert_eq!(faults(&deep), ["4: stack 1 would hold more than 4 bits"]);
+    assert_eq!(faults(&[0x0401, 0xA405, END]), ["1: 5 is an input"]);
+    assert_eq!(faults(&[0x0401, 0xA7FF, END]), ["1: flag 1023 is the constant 1"]);
+    assert_eq!(faults(&[0x0401, 0x8100, END]), ["1: the prefix REGISTER is missing"]);
+    assert_eq!(faults(&[0x0401, 0xD000, 0x8100, END]), ["2: the prefix UNIT is missing"]);
+    let twice = [0x0401, 0xC800, 0xD000, 0x8100, 0x0401, 0xC800, 0xD000, 0x8900, END];
+    assert_eq!(faults(&twice), ["7: unit 0 is used by two functions"]);
+    assert_eq!(faults(&[0x0401]), ["1: no word ends the scan"]);
+    assert_eq!(faults(&[END, 0x0401]), ["1: words follow the end of the scan"]);
+    let long: Vec<u16> = [vec![0x0401; 1024], vec![END]].concat();
+    assert_eq!(faults(&long), ["1024: the code memory has 1024 words"]);
+}
+
+#[test]
+fn an_image_draws_the_ladder_that_it_came_from() {
+    let mut drawn = 0;
+    for seed in 0..400 {
+        let (program, _) = hotrail::analyze(&Source::new("test.ladder", relay::program(seed)));
+        let Ok(image) = processor::compile(&program.unwrap()) else { continue };
+        let Ok(text) = processor::ladder(&image.rom, "again") else { continue };
+        assert_eq!(self::image(&text).rom, image.rom, "seed {seed}:\n{text}");
+        drawn += 1;
+    }
+    assert!(drawn > 50, "{drawn}");
+}
+
+fn hotrail(folder: &Path, arguments: &[&str]) -> (i32, String) {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_hotrail"));
+    let output = command.args(arguments).current_dir(folder).output().unwrap();
+    let text = String::from_utf8_lossy(&[output.stdout, output.stderr].concat()).into_owned();
+    (output.status.code().unwrap(), text)
+}
+
+#[test]
+fn users_build_images_and_look_at_them() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path();
+    let ladder = "ladder pump  input start, stop  output motor := 1  var used at 600
+        rung \"seal-in\" [ start | motor ] !stop ( motor )  rung start (S used)
+        rung used stop (R used)
+        test \"runs\" pulse start  expect motor used";
+    fs::write(path.join("pump.ladder"), ladder).unwrap();
+    let emit = "rom,ihex,coe,mif,bin,listing";
+    let (code, text) = hotrail(path, &["build", "pump.ladder", "-o", "out", "--emit", emit]);
+    assert_eq!((code, text.as_str()), (0, ""));
+    assert_eq!(fs::read_dir(path.join("out")).unwrap().count(), 5 * 3 + 1);
+    let listing = fs::read_to_string(path.join("out/pump.lst")).unwrap();
+    for words in ["rung 1 \"seal-in\", pump.ladder:2", "OPEN/RETURN", "256  motor", "600  used"] {
+        assert!(listing.contains(words), "{listing}");
+    }
+    let first = hotrail(path, &["rom", "out/pump.hex", "--as", "ladder"]);
+    assert!(first.0 == 0 && first.1.contains("output Y256 at 256 := 1"), "{}", first.1);
+    for form in ["ihex", "coe", "mif", "bin"] {
+        let (code, text) = hotrail(path, &["rom", &format!("out/pump.{form}"), "--as", "ladder"]);
+        assert_eq!((code, text), first, "{form}");
+    }
+    let (code, text) = hotrail(path, &["test", "pump.ladder", "--on", "evaluator,processor"]);
+    assert!(code == 0 && text.contains("on processor"), "{text}");
+    fs::write(path.join("out/pump.hex"), "0102\nBC00\n").unwrap();
+    let (code, text) = hotrail(path, &["rom", "out/pump.hex"]);
+    assert!(code == 1 && text.contains("E0803") && text.contains("word 000 (0102)"), "{text}");
+}
+
+#[test]
+fn what_the_processor_cannot_do_is_refused_and_nothing_is_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path();
+    let ladder = "ladder level  input n : INT  output y  rung { n > 3 } ( y )
+        test \"high\" n := 4  scan  expect y";
+    fs::write(path.join("level.ladder"), ladder).unwrap();
+    let (code, text) =
+        hotrail(path, &["build", "level.ladder", "-o", "out", "--emit", "rom,verilog"]);
+    assert!(code == 1 && text.contains("E0801") && text.contains("level.ladder:1"), "{text}");
+    assert!(!path.join("out").exists());
+    let (code, text) = hotrail(path, &["test", "level.ladder", "--on", "processor"]);
+    assert!(code == 1 && text.contains("E0801"), "{text}");
+}

@@ -1,0 +1,210 @@
+//! The processor's Verilog in `hdl/` runs in Icarus in lock step with the emulator, and its lint
+//! tools are content.
+
+mod common;
+
+use std::fmt::Write;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use common::{amount, relay, require_tool, run};
+use fastrand::Rng;
+use hotrail::backend::processor::{self, Form, Image, Machine, Part, clocks_of_scan};
+use hotrail::model::Program;
+use hotrail::source::Source;
+
+fn modules() -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("hdl");
+    let entries = fs::read_dir(folder).expect("the processor is there");
+    let mut files: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
+    files.retain(|path| path.extension().is_some_and(|ending| ending == "v"));
+    files.sort();
+    files
+}
+
+fn names(files: &[PathBuf]) -> Vec<&str> {
+    files.iter().map(|path| path.to_str().unwrap()).collect()
+}
+
+#[test]
+fn verilator_has_nothing_to_say() {
+    if !require_tool("verilator") {
+        return;
+    }
+    let files = modules();
+    for parameters in [
+        &[][..],
+        &["-GFUNCTIONS=0", "-GINPUTS=8", "-GOUTPUTS=8"],
+        &["-GINPUTS=0", "-GOUTPUTS=0"],
+        &["-GINPUTS=256", "-GOUTPUTS=1"],
+    ] {
+        let lint = ["--lint-only", "-Wall", "--top-module", "ladder_processor"];
+        run(Path::new("."), "verilator", &[&lint[..], parameters, &names(&files)].concat());
+    }
+}
+
+fn image(text: &str) -> Option<(Program, Image)> {
+    let (program, _) = hotrail::analyze(&Source::new("test.ladder", text));
+    let program = program?;
+    processor::compile(&program).ok().map(|image| (program, image))
+}
+
+/// One scan: inputs, tick, and registers that the host writes before it.
+struct Row {
+    inputs: Vec<bool>,
+    tick: bool,
+    written: Vec<(u16, u16)>,
+}
+
+/// Drives the processor and prints outputs, image and some registers after each scan, with the
+/// clocks that it took.
+fn bench(image: &Image, rows: &[Row]) -> String {
+    let rom = &image.rom;
+    let bits = |count: u16| count.max(1) - 1;
+    let tenth = if 100_000_000 % rom.tick_ns == 0 { 100_000_000 / rom.tick_ns } else { 0 };
+    let second = 1_000_000_000 / rom.tick_ns;
+    let mut text = format!(
+        "module bench;
+  reg clk = 0, rst = 1, tick = 0, halt = 1, RM_rw = 0;
+  reg [10:0] RM_addr = 0;
+  reg [15:0] RM_in = 0;
+  reg [{}:0] inputs = 0;
+  wire [{}:0] outputs;
+  wire idle, scan_done;
+  integer clocks = 0, i;
+  ladder_processor #(
+    .INPUTS({}), .OUTPUTS({}), .TICKS_PER_TENTH({tenth}), .TICKS_PER_SECOND({second}),
+    .CODE_FILE(\"test.hex\"), .REGISTER_FILE(\"test_regs.hex\"), .IMAGE_FILE(\"test_image.hex\")
+  ) dut (
+    .clk(clk), .rst(rst), .tick(tick), .inputs(inputs), .outputs(outputs), .halt(halt),
+    .idle(idle), .scan_done(scan_done), .code_write(1'b0), .waddr(10'd0), .code_in(16'd0),
+    .at_reset(1'b0), .io_addr(10'd0), .io_write(1'b0), .io_in(1'b0), .io_out(),
+    .RM_addr(RM_addr), .RM_rw(RM_rw), .RM_in(RM_in), .RM_out()
+  );
+  always begin #1 clk = 1; clocks = clocks + 1; #1 clk = 0; end
+  task host(input [10:0] register, input [15:0] word);
+    begin RM_addr = register; RM_in = word; RM_rw = 1; @(negedge clk) RM_rw = 0; end
+  endtask
+  task scan(input [{}:0] now, input ticks);
+    begin
+      inputs = now; tick = ticks; halt = 0; clocks = 0;
+      @(negedge clk) begin tick = 0; halt = 1; inputs = ~now; end
+      while (!scan_done) @(negedge clk);
+      @(negedge clk);
+      $write(\"%0d %b \", clocks, outputs);
+      for (i = 256; i < 1024; i = i + 1) $write(\"%b\", dut.image.bits.words[i]);
+      for (i = 0; i < 600; i = i + 1) $write(\" %0h\", dut.functions.register_array.registers.words[i]);
+      $write(\"\\n\");
+    end
+  endtask
+  initial begin
+    @(negedge clk); @(negedge clk) rst = 0;
+    while (!idle) @(negedge clk);
+    $display(\"reset %b\", outputs);
+",
+        bits(rom.pins.inputs),
+        bits(rom.pins.outputs),
+        rom.pins.inputs,
+        rom.pins.outputs,
+        bits(rom.pins.inputs),
+    );
+    for row in rows {
+        for (register, word) in &row.written {
+            writeln!(text, "    host({register}, {word});").unwrap();
+        }
+        let inputs: String =
+            row.inputs.iter().rev().map(|&on| if on { '1' } else { '0' }).collect();
+        let (width, inputs) = match inputs.is_empty() {
+            true => (1, "0".to_owned()),
+            false => (inputs.len(), inputs),
+        };
+        writeln!(text, "    scan({width}'b{inputs}, {});", u8::from(row.tick)).unwrap();
+    }
+    text + "    $finish;\n  end\nendmodule\n"
+}
+
+/// What the bench should print.
+fn meant(image: &Image, rows: &[Row]) -> Vec<String> {
+    let mut machine = Machine::new(&image.rom).unwrap();
+    let bit = |on: bool| if on { '1' } else { '0' };
+    let outputs = |machine: &Machine<'_>| -> String {
+        let all: Vec<bool> = machine.outputs().collect();
+        all.into_iter().rev().map(bit).collect()
+    };
+    let shown = outputs(&machine);
+    let mut lines = vec![format!("reset {}", if shown.is_empty() { "x" } else { &shown })];
+    for row in rows {
+        for &(register, word) in &row.written {
+            machine.write_register(register, word);
+        }
+        (0..).zip(&row.inputs).for_each(|(input, &on)| machine.drive(input, on));
+        machine.scan(row.tick);
+        let mut line = format!("{} {} ", clocks_of_scan(&image.rom), outputs(&machine));
+        line.extend((256..1024).map(|address| bit(machine.bit(address))));
+        for register in 0..600 {
+            write!(line, " {:x}", machine.register(register)).unwrap();
+        }
+        lines.push(line);
+    }
+    lines
+}
+
+fn compare(name: &str, program: &Program, image: &Image, scans: usize, mut random: Rng) {
+    let rows: Vec<Row> = (0..scans)
+        .map(|_| Row {
+            inputs: (0..image.rom.pins.inputs).map(|_| random.bool()).collect(),
+            tick: random.bool(),
+            written: program
+                .variables
+                .iter()
+                .filter_map(|(id, variable)| {
+                    let is_input = variable.role == hotrail::model::Role::Input;
+                    let register = image.layout.register(id).filter(|_| is_input)?;
+                    let word = [0, 1, 2, 5, 20_000, 0xFFFF][random.usize(..6)];
+                    (random.u8(..5) == 0).then_some((register, word))
+                })
+                .collect(),
+        })
+        .collect();
+    let folder = tempfile::tempdir().unwrap();
+    for part in Part::ALL {
+        let file = folder.path().join(format!("test{}.hex", part.suffix()));
+        fs::write(file, image.rom.memory(part).write(Form::Hex, &[])).unwrap();
+    }
+    fs::write(folder.path().join("bench.v"), bench(image, &rows)).unwrap();
+    let files = modules();
+    let arguments = [&["-g2005", "-o", "bench", "bench.v"][..], &names(&files)].concat();
+    run(folder.path(), "iverilog", &arguments);
+    let printed = run(folder.path(), "vvp", &["-n", "bench"]);
+    let lines: Vec<&str> = printed.lines().filter(|line| !line.contains("$finish")).collect();
+    for (scan, (shown, meant)) in lines.iter().zip(meant(image, &rows)).enumerate() {
+        assert_eq!(*shown, meant, "{name}, line {scan} (0 is reset)");
+    }
+    assert_eq!(lines.len(), rows.len() + 1, "{name}: {printed}");
+}
+
+#[test]
+fn random_programs_run_in_lock_step() {
+    if !require_tool("iverilog") {
+        return;
+    }
+    for seed in 0..amount("HOTRAIL_RANDOM_IMAGES", 8) {
+        let Some((program, image)) = image(&relay::program(seed)) else { continue };
+        compare(&format!("seed {seed}"), &program, &image, 40, Rng::with_seed(seed));
+    }
+}
+
+#[test]
+fn examples_that_the_processor_can_do_run_in_lock_step() {
+    if !require_tool("iverilog") {
+        return;
+    }
+    let mut ran = 0;
+    for example in common::examples() {
+        let text = fs::read_to_string(&example.ladder).unwrap();
+        let Some((program, image)) = image(&text) else { continue };
+        compare(&example.name(), &program, &image, 60, Rng::with_seed(1));
+        ran += 1;
+    }
+    assert!(ran > 5, "{ran} examples");
+}
