@@ -28,6 +28,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "source",
             "types",
             "quantity",
+            "diagnostic",
             "circuit",
             "model",
             "equations",

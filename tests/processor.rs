@@ -62,7 +62,7 @@ fn difference(program: &Program, image: &Image, scans: usize, mut random: Rng) -
                 Type::Bool => image.layout.bit(id).map(|address| i64::from(machine.bit(address))),
                 _ => {
                     let register = image.layout.register(id);
-                    register.map(|register| i64::from(machine.register(register) as i16))
+                    register.map(|register| variable.ty.wrap(machine.register(register).into()))
                 }
             };
             let Some(shown) = shown else { continue };

@@ -69,7 +69,11 @@ impl Generator {
                 }
             }
         }
-        writeln!(text, "input level : INT\nvar fixed : INT := 2").unwrap();
+        writeln!(text, "input level : INT\nvar fixed : INT := 2\nvar word : WORD := 16#0F").unwrap();
+        for bit in [0, 3, 15] {
+            self.bits.push(format!("word.{bit}"));
+            self.coils.push(format!("word.{bit}"));
+        }
         for index in 0..self.random.usize(..4) {
             let name = format!("b{index}");
             self.bits.push(format!("{name}.Q"));
@@ -175,7 +179,7 @@ impl Generator {
     fn output(&mut self) -> String {
         let coil = self.pick(&self.coils.clone());
         match self.random.u32(..12) {
-            0 => format!("{{ {coil} := {} }}", self.condition(2)),
+            0 if !coil.contains('.') => format!("{{ {coil} := {} }}", self.condition(2)),
             1 if !self.latches.is_empty() => format!("(R {})", self.pick(&self.latches.clone())),
             _ => {
                 let action = self.pick(&["", "", "", "", "!", "S ", "R ", "rise ", "fall "]);
