@@ -29,6 +29,7 @@ mod index;
 pub mod lint;
 pub mod model;
 pub mod quantity;
+pub mod report;
 pub mod source;
 pub mod syntax;
 pub mod types;

@@ -33,7 +33,7 @@ module {{ view.ports.wrapper }} (
 {%- endif %}
   wire {{ core_reset }} = {{ pipe }}[1];
 
-  // Tick: every {{ view.prescaler.clocks }} clocks of {{ view.clock() }}, wanted every {{ view.period() }}, error {{ view.prescaler.error_ppm() }}.
+  // Tick: {{ view.board.tick_made() }}.
 {%- match view.counter %}
 {%- when Some(counter) %}
 {%- let count = view.prescaler_name() %}

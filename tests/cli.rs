@@ -29,6 +29,26 @@ fn exit_codes_tell_success_fault_and_wrong_use() {
 }
 
 #[test]
+fn equations_have_three_forms() {
+    let folder = Folder::new();
+    folder.write("good.ladder", GOOD);
+    folder.write("bad.ladder", "ladder bad  output y  rung a (y)");
+    let text = folder.run(&["equations", "good.ladder"]);
+    assert!(
+        text.code == 0 && text.out.starts_with("rung 1, line 1\n     1  y <- a\n"),
+        "{}",
+        text.out
+    );
+    let json = folder.run(&["equations", "good.ladder", "--format", "json", "--flat"]);
+    let json: serde_json::Value = serde_json::from_str(&json.out).unwrap();
+    assert_eq!((&json["format"], &json["flat"]), (&1.into(), &true.into()));
+    let dot = folder.run(&["equations", "good.ladder", "--format", "dot"]);
+    assert!(dot.out.starts_with("digraph \"good\" {"), "{}", dot.out);
+    let bad = folder.run(&["equations", "bad.ladder"]);
+    assert!(bad.code == 1 && bad.out.is_empty() && bad.err.contains("E0101"), "{}", bad.err);
+}
+
+#[test]
 fn a_file_larger_than_allowed_is_one_finding_in_every_form() {
     let folder = Folder::new();
     folder.write("large.ladder", &format!("{GOOD}{}", " ".repeat(1 << 20)));
@@ -46,6 +66,22 @@ fn a_file_larger_than_allowed_is_one_finding_in_every_form() {
     assert!(found["primary"].is_null());
     assert_eq!(folder.run(&["check", "large.ladder", "--max-size", "2"]).code, 0);
     assert_eq!(folder.run(&["check", "large.ladder", "--max-size", "0"]).code, 2);
+}
+
+#[test]
+fn a_wrapper_with_an_inexact_tick_is_remarked() {
+    let folder = Folder::new();
+    folder.write("good.ladder", GOOD);
+    let build = |arguments: &[&str]| {
+        let run = folder.run(&[&["build", "good.ladder", "-o", "out"], arguments].concat());
+        assert_eq!(run.code, 0, "{}", run.err);
+        run.err
+    };
+    let said = "good.ladder: the wrapper makes the tick every 33 clocks of 32768 Hz, \
+                wanted every 1 ms, error +7080.078 ppm";
+    assert_eq!(build(&["--emit", "wrapper", "--clock", "32768Hz"]), format!("note: {said}\n"));
+    assert_eq!(build(&["--emit", "wrapper", "--clock", "50MHz"]), "");
+    assert_eq!(build(&["--emit", "verilog", "--clock", "32768Hz"]), "");
 }
 
 #[test]

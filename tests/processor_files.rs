@@ -78,7 +78,10 @@ fn damaged_files_are_refused_with_their_line() {
     let mut random = fastrand::Rng::with_seed(4);
     for _ in 0..2000 {
         let bytes: Vec<u8> = (0..random.usize(..60))
-            .map(|_| *[b':', b'0', b'1', b'F', b'@', b'\n', b' ', b';', b'=', b'-', 200][..].choose(&mut random))
+            .map(|_| {
+                *[b':', b'0', b'1', b'F', b'@', b'\n', b' ', b';', b'=', b'-', 200][..]
+                    .choose(&mut random)
+            })
             .collect();
         damaged(&bytes);
     }
@@ -181,7 +184,8 @@ fn what_the_processor_cannot_do_is_refused_and_nothing_is_written() {
     let ladder = "ladder level  input n : INT  output y  rung { n > 3 } ( y )
         test \"high\" n := 4  scan  expect y";
     fs::write(path.join("level.ladder"), ladder).unwrap();
-    let (code, text) = hotrail(path, &["build", "level.ladder", "-o", "out", "--emit", "rom,verilog"]);
+    let (code, text) =
+        hotrail(path, &["build", "level.ladder", "-o", "out", "--emit", "rom,verilog"]);
     assert!(code == 1 && text.contains("E0801") && text.contains("level.ladder:1"), "{text}");
     assert!(!path.join("out").exists());
     let (code, text) = hotrail(path, &["test", "level.ladder", "--on", "processor"]);

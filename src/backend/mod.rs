@@ -131,6 +131,11 @@ impl<'a> Unit<'a> {
         })
     }
 
+    /// How a wrapper makes the tick, where the clock is no whole number of ticks.
+    pub fn inexact_tick(&self) -> Option<String> {
+        (self.board.prescaler().error_ppb != 0).then(|| self.board.tick_made())
+    }
+
     /// The files of these kinds, each once.
     ///
     /// # Errors

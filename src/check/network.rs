@@ -3,9 +3,7 @@
 use super::reference::Resolved;
 use super::{Checked, Checker, Reported};
 use crate::diagnostic::{Diagnostic, code};
-use crate::model::{
-    self, CoilAction, Element, Expr, ExprKind, Place, Relation, Role, Variable, VariableId,
-};
+use crate::model::{self, CoilAction, Element, Place, Role, Variable, VariableId};
 use crate::source::Span;
 use crate::syntax::ast::{self, BinaryOperator, Edge, ElementKind, Reference, Rung, Series};
 use crate::types::Type;
@@ -77,10 +75,7 @@ impl<'s> Checker<'s> {
         }
         let mut elements = Vec::with_capacity(series.elements.len());
         for element in &series.elements {
-            let Ok(element) = self.element(element, site) else { continue };
-            let entailed = self.entailed(&element);
-            elements.push(element);
-            elements.extend(entailed);
+            elements.extend(self.element(element, site).ok());
         }
         elements
     }
@@ -128,28 +123,6 @@ impl<'s> Checker<'s> {
             ElementKind::Call(call) => Element::Call(self.call(call)?),
             ElementKind::Net(net) => Element::Net(self.net(net, element.span)?),
         })
-    }
-
-    /// What stands behind a write of a block's accumulator: where it becomes 0, so does the
-    /// fraction of a unit that has been counted.
-    fn entailed(&self, element: &Element) -> Option<Element> {
-        let Element::Assign { target, span, .. } = element else { return None };
-        let (target, span) = (target.declared(), *span);
-        let Variable { ty, role: Role::Member(instance, port), .. } =
-            self.program.variables[target]
-        else {
-            return None;
-        };
-        let instance = &self.program.instances[instance];
-        let fraction = instance.shape.port_named(instance.shape.ports[port].fraction?)?;
-        let fraction = instance.members[fraction];
-        let zero = |ty| Expr { ty, kind: ExprKind::Constant(0) };
-        let written = Expr { ty, kind: ExprKind::Read(target.into()) };
-        let kind = ExprKind::Compare(Relation::Equal, Box::new(written), Box::new(zero(ty)));
-        let is_zero = Element::Compare(Expr { ty: Type::Bool, kind }, span);
-        let value = zero(self.program.variables[fraction].ty);
-        let clear = Element::Assign { target: fraction.into(), value, span };
-        Some(Element::Parallel(vec![vec![is_zero, clear], vec![Element::Constant(true)]]))
     }
 
     fn check_site(&mut self, element: &ast::Element<'s>, site: Site) -> Checked<()> {

@@ -9,7 +9,7 @@ use super::{
 };
 
 /// The longest list of operands that is searched for operands that say nothing new.
-const ABSORBED: usize = 8;
+const ABSORBED: usize = 4;
 
 /// True if the net is among the first few: to look through all of a long list for each of its
 /// operands would take too long, and repeating one is harmless.
@@ -162,7 +162,7 @@ impl Circuit {
         }
         let list = &self.operands[start..];
         let held =
-            |net: Net| list.iter().any(|&other| other != net && self.holds(other, net, and, 3));
+            |net: Net| list.iter().any(|&other| other != net && self.holds(other, net, and, 2));
         let kept: Vec<Net> = list.iter().copied().filter(|&net| !held(net)).collect();
         self.operands.truncate(start);
         self.operands.extend(kept);

@@ -6,6 +6,7 @@
 
 mod arithmetic;
 mod builder;
+mod fast;
 mod flatten;
 mod passes;
 mod ranges;
@@ -16,6 +17,7 @@ use std::sync::Arc;
 
 use la_arena::{Arena, Idx};
 
+pub use fast::{FastSimulator, LANES, LaneSimulator};
 pub use passes::simplify;
 pub use simulate::Simulator;
 pub use validate::{Invalid, Valid};

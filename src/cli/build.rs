@@ -168,6 +168,9 @@ fn compile(
     let unit = Unit::new(&program, &source, &backend_options)
         .with_context(|| path.display().to_string())?;
     let kinds: Vec<Emit> = options.emit.iter().map(|kind| kind.emit()).collect();
+    if let Some(made) = unit.inexact_tick().filter(|_| kinds.contains(&Emit::Wrapper)) {
+        report.remark(&format!("{}: the wrapper makes the tick {made}", path.display()));
+    }
     match unit.emit(&kinds) {
         Ok(artifacts) => Ok(Some(artifacts)),
         Err(findings) => {

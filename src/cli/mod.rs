@@ -6,6 +6,7 @@ mod check;
 mod completions;
 mod draw;
 mod dump;
+mod equations;
 mod explain;
 mod fmt;
 mod lints;
@@ -16,6 +17,7 @@ mod sim;
 mod simulators;
 mod table;
 mod test;
+mod why;
 
 use std::io::IsTerminal;
 use std::path::PathBuf;
@@ -56,7 +58,9 @@ enum Command {
     Build(build::Options),
     Test(test::Options),
     Sim(sim::Options),
+    Why(why::Options),
     Fmt(fmt::Options),
+    Equations(equations::Options),
     Draw(draw::Options),
     Rom(rom::Options),
     Explain(explain::Options),
@@ -154,7 +158,9 @@ pub fn run() -> ExitCode {
         Command::Build(options) => build::run(&options, &mut report),
         Command::Test(options) => test::run(&options, &mut report),
         Command::Sim(options) => sim::run(&options, &mut report),
+        Command::Why(options) => why::run(&options, &mut report),
         Command::Fmt(options) => fmt::run(&options, &mut report),
+        Command::Equations(options) => equations::run(&options, &mut report),
         Command::Draw(options) => draw::run(&options, &mut report),
         Command::Rom(options) => rom::run(&options, &mut report),
         Command::Explain(options) => return exit_code(explain::run(&options)),

@@ -94,6 +94,14 @@ impl Report {
         }
     }
 
+    /// Tells people something that is no finding.
+    pub fn remark(&self, text: &str) {
+        match self.style.message_format {
+            MessageFormat::Human | MessageFormat::Short => err(&format!("note: {text}\n")),
+            MessageFormat::Json | MessageFormat::Sarif | MessageFormat::Github => {}
+        }
+    }
+
     /// Prints the result of a command, which must not stand inside a document.
     pub fn result(&self, text: &str) {
         match self.style.message_format {

@@ -177,6 +177,7 @@ codes! {
     Warning W0308 NO_RUNGS "the program has no rungs"
     Warning W0309 DEAD_END "a part of a network never carries power to the right"
     Warning W0310 AT_RAIL "a `not` or a one-shot stands where the power is always on"
+    Note W0311 LONG_CHAIN "the longest chain of one scan may be too slow for the clock"
     // Blocks
     Warning W0401 PRESET_ZERO "the preset of a timer or counter is 0"
     Warning W0402 NEVER_RESET "nothing resets a counter or retentive timer"

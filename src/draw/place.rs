@@ -41,10 +41,12 @@ impl Placer {
         self.stubs.push(at);
     }
 
-    /// A text whose left end, middle or right end is in a cell.
+    /// A text, if it is not empty, whose left end, middle or right end is in a cell.
     pub fn text(&mut self, element: ElementId, text: &str, at: Point, align: Align, style: Style) {
-        let text = self.line(text, at, align, style);
-        self.part(Some(element), Shape::Text(text));
+        if !text.is_empty() {
+            let text = self.line(text, at, align, style);
+            self.part(Some(element), Shape::Text(text));
+        }
     }
 
     fn line(&self, text: &str, at: Point, align: Align, style: Style) -> Text {

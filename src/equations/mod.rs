@@ -2,7 +2,9 @@
 //! text. Each read names the write that it sees, so the order of evaluation is in the equations
 //! themselves.
 
+mod chain;
 mod expression;
+mod graph;
 mod lower;
 mod networks;
 mod write;
@@ -15,6 +17,8 @@ use crate::blocks::Shape;
 use crate::model::{BinaryOp, Function, InstanceId, Relation, VariableId};
 use crate::types::Type;
 
+pub use chain::Chain;
+pub use graph::{Dependency, Graph, Kind, Resource};
 pub use lower::{lower, lower_expectation};
 
 /// An expression of the equations.
@@ -153,6 +157,38 @@ pub enum StepKind {
 }
 
 impl Equations {
+    /// Calls `tell` with each operand of an expression.
+    pub fn operands_of(&self, expr: ExprId, mut tell: impl FnMut(ExprId)) {
+        match self.exprs[expr].op {
+            ExprOp::Constant(_) | ExprOp::Read { .. } => {}
+            ExprOp::Not(operand) | ExprOp::Convert(operand) | ExprOp::Bit(operand, _) => {
+                tell(operand);
+            }
+            ExprOp::All(operands) | ExprOp::Any(operands) | ExprOp::Call(_, operands) => {
+                self.list(operands).iter().for_each(|&operand| tell(operand));
+            }
+            ExprOp::WithBit { whole, value, .. } => [whole, value].into_iter().for_each(tell),
+            ExprOp::Element { index, elements } => {
+                tell(index);
+                self.list(elements).iter().for_each(|&element| tell(element));
+            }
+            ExprOp::Select { power, on, off } => [power, on, off].into_iter().for_each(tell),
+            ExprOp::Binary(_, a, b) | ExprOp::Compare(_, a, b) => [a, b].into_iter().for_each(tell),
+        }
+    }
+
+    /// The expressions that a step takes.
+    pub fn taken_by(&self, step: StepId) -> Vec<ExprId> {
+        match &self.steps[step as usize].kind {
+            StepKind::Assign { value, .. } => vec![*value],
+            StepKind::Call { power, arguments, .. } => {
+                let arguments = arguments.iter().map(|&(_, value)| value);
+                [*power].into_iter().chain(arguments).collect()
+            }
+            StepKind::Reset { power, .. } => vec![*power],
+        }
+    }
+
     /// The operands of an `All`, an `Any` or a call, or the elements of an array.
     pub fn list(&self, operands: Operands) -> &[ExprId] {
         &self.operands[operands.start as usize..][..operands.len as usize]

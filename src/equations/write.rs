@@ -77,5 +77,24 @@ impl Lowering<'_> {
             }
         };
         self.assign(variable, value);
+        self.clear_fraction(variable, change);
+    }
+
+    /// Clears what counts the parts of a unit where its accumulator is made 0.
+    fn clear_fraction(&mut self, written: VariableId, change: Change) {
+        let Some(fraction) = self.program.fraction_of(written) else { return };
+        let now = self.read(written);
+        let no_units = self.add(ExprOp::Constant(0), self.program.variables[written].ty);
+        let is_zero = self.add(ExprOp::Compare(Relation::Equal, now, no_units), Type::Bool);
+        let clears = match change {
+            Change::To(_) => is_zero,
+            Change::When { power, .. } | Change::Set(power) | Change::Reset(power) => {
+                self.all(vec![power, is_zero])
+            }
+        };
+        let ty = self.program.variables[fraction].ty;
+        let (on, off) = (self.add(ExprOp::Constant(0), ty), self.read(fraction));
+        let value = self.add(ExprOp::Select { power: clears, on, off }, ty);
+        self.assign(fraction, value);
     }
 }

@@ -1,6 +1,7 @@
 //! Walks the rungs from top to bottom, left to right, power in hand. Slow, short, plainly right:
 //! it shares nothing with the circuits that are judged by it.
 
+use super::recorder::Recorder;
 use crate::blocks::Step;
 use crate::index::index;
 use crate::model::{
@@ -14,13 +15,15 @@ pub struct Evaluator<'p> {
     values: Vec<i64>,
     first_scan: Option<VariableId>,
     tick: bool,
+    recorder: Option<Recorder>,
 }
 
 impl<'p> Evaluator<'p> {
     /// The program at reset, inputs 0.
     pub fn new(program: &'p Program) -> Self {
         let first_scan = program.with_role(Role::FirstScan).next().map(|(id, _)| id);
-        let mut evaluator = Evaluator { program, values: Vec::new(), first_scan, tick: false };
+        let mut evaluator =
+            Evaluator { program, values: Vec::new(), first_scan, tick: false, recorder: None };
         evaluator.reset();
         evaluator
     }
@@ -56,7 +59,28 @@ impl<'p> Evaluator<'p> {
         }
     }
 
+    /// Goes on with what every variable holds.
+    pub(super) fn resume(&mut self, values: Vec<i64>) {
+        debug_assert_eq!(values.len(), self.program.variables.len());
+        self.values = values;
+    }
+
+    /// What every variable holds.
+    pub(super) fn values(&self) -> &[i64] {
+        &self.values
+    }
+
+    /// One scan, written down by this recorder, which is given back.
+    pub(super) fn scan_recorded(&mut self, tick: bool, recorder: Recorder) -> Recorder {
+        self.recorder = Some(recorder);
+        self.scan(tick);
+        self.recorder.take().expect("it was put in before the scan")
+    }
+
     fn set(&mut self, variable: VariableId, value: i64) {
+        if let Some(recorder) = &mut self.recorder {
+            recorder.write(variable, value);
+        }
         self.values[index(variable)] = value;
     }
 
@@ -79,6 +103,11 @@ impl<'p> Evaluator<'p> {
             }
         };
         self.set(variable, value);
+        if let Some(fraction) = self.program.fraction_of(variable)
+            && value == 0
+        {
+            self.set(fraction, 0);
+        }
     }
 
     fn series(&mut self, series: &[Element], power: bool) -> bool {
@@ -86,6 +115,18 @@ impl<'p> Evaluator<'p> {
     }
 
     fn element(&mut self, element: &Element, power: bool) -> bool {
+        if self.recorder.is_none() {
+            return self.execute(element, power);
+        }
+        let entry = self.recorder.as_mut().map(|recorder| recorder.enter(element, power));
+        let out = self.execute(element, power);
+        if let (Some(recorder), Some(entry)) = (&mut self.recorder, entry) {
+            recorder.leave(entry, out);
+        }
+        out
+    }
+
+    fn execute(&mut self, element: &Element, power: bool) -> bool {
         match element {
             Element::Constant(value) => power && *value,
             Element::Contact { place, negated, .. } => power && (self.read(place) != 0) != *negated,
@@ -123,7 +164,12 @@ impl<'p> Evaluator<'p> {
                 }
                 power
             }
-            Element::Call(call) => self.call(call, power),
+            Element::Call(call) => {
+                if let Some(recorder) = &mut self.recorder {
+                    recorder.call(power);
+                }
+                self.call(call, power)
+            }
             Element::Net(net) => self.net(net) && power,
         }
     }

@@ -35,3 +35,12 @@ impl Machine for Evaluator<'_> {
         Evaluator::value(self, variable)
     }
 }
+
+/// What comes from outside in one scan.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Row<'a> {
+    /// The scan has the tick.
+    pub tick: bool,
+    /// Inputs that get a value, in range of their types.
+    pub drives: &'a [(VariableId, i64)],
+}

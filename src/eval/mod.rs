@@ -3,13 +3,16 @@
 mod evaluator;
 mod expectation;
 mod machine;
+mod recorder;
 mod runner;
 #[cfg(feature = "cli")]
 mod stimulus;
+mod why;
 
 pub use evaluator::Evaluator;
 pub use expectation::{Failure, conducts, explain, variables_of, variables_of_tests};
-pub use machine::Machine;
+pub use machine::{Machine, Row};
 pub use runner::{Outcome, run_test, run_test_on};
 #[cfg(feature = "cli")]
-pub use stimulus::{Row, Stimulus, TICK};
+pub use stimulus::{Stimulus, TICK};
+pub use why::{Cause, Place, Power, Reason, Subject, Why};

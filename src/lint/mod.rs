@@ -14,6 +14,7 @@ mod double_coil;
 mod idle;
 mod index;
 mod latch;
+mod long_chain;
 mod no_rungs;
 mod preset_zero;
 mod read_above;
@@ -51,6 +52,7 @@ const RULES: &[Rule] = &[
     read_above::check,
     unwieldy::check,
     dead_end::check,
+    long_chain::check,
     preset_zero::check,
     unreset::check,
     running_equality::check,

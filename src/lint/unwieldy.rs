@@ -32,6 +32,6 @@ pub(super) fn check(index: &Index, found: &mut Vec<Diagnostic>) {
 }
 
 /// The word `rung`.
-fn word(rung: &Rung) -> Span {
+pub(super) fn word(rung: &Rung) -> Span {
     Span { end: rung.span.start + 4, ..rung.span }
 }

@@ -84,6 +84,15 @@ impl Program {
         self.variables.iter().filter(|(_, variable)| self.is_named(variable))
     }
 
+    /// For a block's accumulator, what counts the parts of one of its units: an assignment of 0 to
+    /// the first clears the second.
+    pub fn fraction_of(&self, variable: VariableId) -> Option<VariableId> {
+        let Role::Member(instance, port) = self.variables[variable].role else { return None };
+        let instance = &self.instances[instance];
+        let fraction = instance.shape.ports[port].fraction?;
+        Some(instance.members[instance.shape.port_named(fraction)?])
+    }
+
     /// Keeps the tests that are wanted and numbers their expectations anew.
     pub fn retain_tests(&mut self, is_wanted: impl Fn(&Test) -> bool) {
         fn number(statements: &mut [Statement], next: &mut usize) {

@@ -226,7 +226,7 @@ pub enum ElementKind<'s> {
 }
 
 /// A change of a bit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Edge {
     /// From 0 to 1.
     Rise,

@@ -1,5 +1,7 @@
 //! Mistakes of one item, and words for what stands where something else should.
 
+use std::borrow::Cow;
+
 use crate::diagnostic::{Diagnostic, code, shortened};
 use crate::source::Span;
 
@@ -18,6 +20,14 @@ impl From<Diagnostic> for Fault {
     fn from(diagnostic: Diagnostic) -> Self {
         Fault { diagnostic, at_start: false, at_end: false }
     }
+}
+
+/// A name as it stands in a program: in back-ticks where it needs them.
+pub fn written_name(name: &str) -> Cow<'_, str> {
+    let is_plain = name.chars().all(|c| c == '_' || c.is_ascii_alphanumeric())
+        && !name.starts_with(|c: char| c.is_ascii_digit())
+        && !is_reserved(name);
+    if is_plain { name.into() } else { format!("`{name}`").into() }
 }
 
 /// Words that the grammar keeps for itself.

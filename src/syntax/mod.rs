@@ -7,6 +7,7 @@ mod parse;
 mod print;
 mod split;
 
+pub use fault::written_name;
 pub use parse::parse;
 pub use print::format;
 

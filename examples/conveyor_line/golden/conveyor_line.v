@@ -20,26 +20,32 @@ module conveyor_line_TONR_PT100 (
   output wire Q_last
 );
   reg Q = 1'b0;
-  reg [31:0] ET = 32'd0;
+  reg [6:0] ET = 7'd0;
   reg was = 1'b0;
+  reg ET_is_100 = 1'b0;
 
-  wire less = $signed(ET) < 32'sd100;
-  wire [31:0] sum = ET + {31'b0, power & was & tick & less};
-  wire [31:0] ET_next = R ? 32'd0 : sum;
-  wire at_least = $signed(ET_next) >= 32'sd100;
-  wire Q_next = ~R & at_least;
+  wire condition = power & was & tick & ~ET_is_100;
+  wire [6:0] sum = ET + 7'd1;
+  wire [6:0] choice = condition ? sum : ET;
+  wire [6:0] ET_next = R ? 7'd0 : choice;
+  wire equal = ET == 7'h63;
+  wire choice_2 = condition ? equal : ET_is_100;
+  wire ET_is_100_next = R ? 1'b0 : choice_2;
+  wire Q_next = ~R & ET_is_100_next;
 
   assign Q_last = Q;
 
   always @(posedge clk) begin
     if (rst) begin
       Q <= 1'b0;
-      ET <= 32'd0;
+      ET <= 7'd0;
       was <= 1'b0;
+      ET_is_100 <= 1'b0;
     end else begin
       Q <= Q_next;
       ET <= ET_next;
       was <= power;
+      ET_is_100 <= ET_is_100_next;
     end
   end
 endmodule
@@ -56,23 +62,30 @@ module conveyor_line_TON_PT40 (
   input  wire power,
   output wire Q
 );
-  reg [31:0] ET = 32'd0;
+  reg [5:0] ET = 6'd0;
   reg was = 1'b0;
+  reg ET_is_40 = 1'b0;
 
-  wire less = $signed(ET) < 32'sd40;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] ET_next = (power & was) ? sum : 32'd0;
-  wire at_least = $signed(ET_next) >= 32'sd40;
+  wire condition = power & was;
+  wire condition_2 = tick & ~ET_is_40;
+  wire [5:0] sum = ET + 6'd1;
+  wire [5:0] choice = condition_2 ? sum : ET;
+  wire [5:0] ET_next = condition ? choice : 6'd0;
+  wire equal = ET == 6'h27;
+  wire choice_2 = condition_2 ? equal : ET_is_40;
+  wire ET_is_40_next = condition ? choice_2 : 1'b0;
 
-  assign Q = power & at_least;
+  assign Q = ET_is_40_next;
 
   always @(posedge clk) begin
     if (rst) begin
-      ET <= 32'd0;
+      ET <= 6'd0;
       was <= 1'b0;
+      ET_is_40 <= 1'b0;
     end else begin
       ET <= ET_next;
       was <= power;
+      ET_is_40 <= ET_is_40_next;
     end
   end
 endmodule

@@ -23,19 +23,26 @@ end entity conveyor_line_TONR_PT100;
 
 architecture rtl of conveyor_line_TONR_PT100 is
   signal Q : std_logic := '0';
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(6 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal ET_is_100 : std_logic := '0';
+  signal condition : std_logic;
+  signal sum : unsigned(6 downto 0);
+  signal choice : unsigned(6 downto 0);
+  signal ET_next : unsigned(6 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
+  signal ET_is_100_next : std_logic;
   signal Q_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 100 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (power and was and tick and less));
-  ET_next <= to_unsigned(0, 32) when R = '1' else sum;
-  at_least <= '1' when signed(ET_next) >= 100 else '0';
-  Q_next <= not R and at_least;
+  condition <= power and was and tick and not ET_is_100;
+  sum <= ET + 1;
+  choice <= sum when condition = '1' else ET;
+  ET_next <= to_unsigned(0, 7) when R = '1' else choice;
+  equal <= '1' when ET = 99 else '0';
+  choice_2 <= equal when condition = '1' else ET_is_100;
+  ET_is_100_next <= '0' when R = '1' else choice_2;
+  Q_next <= not R and ET_is_100_next;
 
   Q_last <= Q;
 
@@ -46,10 +53,12 @@ begin
         Q <= '0';
         ET <= (others => '0');
         was <= '0';
+        ET_is_100 <= '0';
       else
         Q <= Q_next;
         ET <= ET_next;
         was <= power;
+        ET_is_100 <= ET_is_100_next;
       end if;
     end if;
   end process;
@@ -75,19 +84,28 @@ entity conveyor_line_TON_PT40 is
 end entity conveyor_line_TON_PT40;
 
 architecture rtl of conveyor_line_TON_PT40 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(5 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal ET_is_40 : std_logic := '0';
+  signal condition : std_logic;
+  signal condition_2 : std_logic;
+  signal sum : unsigned(5 downto 0);
+  signal choice : unsigned(5 downto 0);
+  signal ET_next : unsigned(5 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
+  signal ET_is_40_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 40 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(ET_next) >= 40 else '0';
+  condition <= power and was;
+  condition_2 <= tick and not ET_is_40;
+  sum <= ET + 1;
+  choice <= sum when condition_2 = '1' else ET;
+  ET_next <= choice when condition = '1' else to_unsigned(0, 6);
+  equal <= '1' when ET = 39 else '0';
+  choice_2 <= equal when condition_2 = '1' else ET_is_40;
+  ET_is_40_next <= choice_2 when condition = '1' else '0';
 
-  Q <= power and at_least;
+  Q <= ET_is_40_next;
 
   process (clk)
   begin
@@ -95,9 +113,11 @@ begin
       if rst = '1' then
         ET <= (others => '0');
         was <= '0';
+        ET_is_40 <= '0';
       else
         ET <= ET_next;
         was <= power;
+        ET_is_40 <= ET_is_40_next;
       end if;
     end if;
   end process;

@@ -21,14 +21,18 @@ module conveyor_run_out_TONR_PT120 (
   output wire Q_last
 );
   reg Q_reg = 1'b0;
-  reg [31:0] ET = 32'd0;
+  reg [6:0] ET = 7'd0;
   reg was = 1'b0;
+  reg ET_is_120 = 1'b0;
 
-  wire less = $signed(ET) < 32'sd120;
-  wire [31:0] sum = ET + {31'b0, power & was & tick & less};
-  wire [31:0] ET_next = R ? 32'd0 : sum;
-  wire at_least = $signed(ET_next) >= 32'sd120;
-  wire Q_next = ~R & at_least;
+  wire condition = power & was & tick & ~ET_is_120;
+  wire [6:0] sum = ET + 7'd1;
+  wire [6:0] choice = condition ? sum : ET;
+  wire [6:0] ET_next = R ? 7'd0 : choice;
+  wire equal = ET == 7'h77;
+  wire choice_2 = condition ? equal : ET_is_120;
+  wire ET_is_120_next = R ? 1'b0 : choice_2;
+  wire Q_next = ~R & ET_is_120_next;
 
   assign Q = Q_next;
   assign Q_last = Q_reg;
@@ -36,12 +40,14 @@ module conveyor_run_out_TONR_PT120 (
   always @(posedge clk) begin
     if (rst) begin
       Q_reg <= 1'b0;
-      ET <= 32'd0;
+      ET <= 7'd0;
       was <= 1'b0;
+      ET_is_120 <= 1'b0;
     end else begin
       Q_reg <= Q_next;
       ET <= ET_next;
       was <= power;
+      ET_is_120 <= ET_is_120_next;
     end
   end
 endmodule

@@ -24,19 +24,26 @@ end entity conveyor_run_out_TONR_PT120;
 
 architecture rtl of conveyor_run_out_TONR_PT120 is
   signal Q_reg : std_logic := '0';
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(6 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal ET_is_120 : std_logic := '0';
+  signal condition : std_logic;
+  signal sum : unsigned(6 downto 0);
+  signal choice : unsigned(6 downto 0);
+  signal ET_next : unsigned(6 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
+  signal ET_is_120_next : std_logic;
   signal Q_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 120 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (power and was and tick and less));
-  ET_next <= to_unsigned(0, 32) when R = '1' else sum;
-  at_least <= '1' when signed(ET_next) >= 120 else '0';
-  Q_next <= not R and at_least;
+  condition <= power and was and tick and not ET_is_120;
+  sum <= ET + 1;
+  choice <= sum when condition = '1' else ET;
+  ET_next <= to_unsigned(0, 7) when R = '1' else choice;
+  equal <= '1' when ET = 119 else '0';
+  choice_2 <= equal when condition = '1' else ET_is_120;
+  ET_is_120_next <= '0' when R = '1' else choice_2;
+  Q_next <= not R and ET_is_120_next;
 
   Q <= Q_next;
   Q_last <= Q_reg;
@@ -48,10 +55,12 @@ begin
         Q_reg <= '0';
         ET <= (others => '0');
         was <= '0';
+        ET_is_120 <= '0';
       else
         Q_reg <= Q_next;
         ET <= ET_next;
         was <= power;
+        ET_is_120 <= ET_is_120_next;
       end if;
     end if;
   end process;

@@ -18,21 +18,24 @@ module conveyor_zero_speed_TON_PT25 (
   output wire Q_last
 );
   reg Q = 1'b0;
-  reg [31:0] ET = 32'd0;
+  reg [4:0] ET = 5'd0;
   reg was = 1'b0;
 
-  wire less = $signed(ET) < 32'sd25;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] ET_next = (power & was) ? sum : 32'd0;
-  wire at_least = $signed(ET_next) >= 32'sd25;
-  wire Q_next = power & at_least;
+  wire condition = power & was;
+  wire condition_2 = tick & ~Q;
+  wire [4:0] sum = ET + 5'd1;
+  wire [4:0] choice = condition_2 ? sum : ET;
+  wire [4:0] ET_next = condition ? choice : 5'd0;
+  wire equal = ET == 5'h18;
+  wire choice_2 = condition_2 ? equal : Q;
+  wire Q_next = condition ? choice_2 : 1'b0;
 
   assign Q_last = Q;
 
   always @(posedge clk) begin
     if (rst) begin
       Q <= 1'b0;
-      ET <= 32'd0;
+      ET <= 5'd0;
       was <= 1'b0;
     end else begin
       Q <= Q_next;
@@ -54,7 +57,6 @@ module conveyor_zero_speed (
 );
   reg start_before = 1'b0;
   reg fault_reg = 1'b0;
-  reg start_before_2 = 1'b0;
   reg motor_reg = 1'b0;
 
   // rung 1 "the shaft stands", conveyor_zero_speed.ladder:15
@@ -66,7 +68,7 @@ module conveyor_zero_speed (
   wire fault_next = bolt_stays_Q_last | bolt_missing_Q_last | fault_rung1;
 
   // rung 3 "motor", conveyor_zero_speed.ladder:19
-  wire motor_next = (start & ~start_before_2 | motor_reg) & stop & ~fault_next;
+  wire motor_next = (start & ~start_before | motor_reg) & stop & ~fault_next;
 
   // rung 4 "on for too long", conveyor_zero_speed.ladder:22
   wire bolt_stays_power = motor_next & bolt;
@@ -95,12 +97,10 @@ module conveyor_zero_speed (
     if (rst) begin
       start_before <= 1'b0;
       fault_reg <= 1'b0;
-      start_before_2 <= 1'b0;
       motor_reg <= 1'b0;
     end else begin
       start_before <= start;
       fault_reg <= fault_next;
-      start_before_2 <= start;
       motor_reg <= motor_next;
     end
   end

@@ -21,19 +21,25 @@ end entity conveyor_zero_speed_TON_PT25;
 
 architecture rtl of conveyor_zero_speed_TON_PT25 is
   signal Q : std_logic := '0';
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(4 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal condition : std_logic;
+  signal condition_2 : std_logic;
+  signal sum : unsigned(4 downto 0);
+  signal choice : unsigned(4 downto 0);
+  signal ET_next : unsigned(4 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
   signal Q_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 25 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(ET_next) >= 25 else '0';
-  Q_next <= power and at_least;
+  condition <= power and was;
+  condition_2 <= tick and not Q;
+  sum <= ET + 1;
+  choice <= sum when condition_2 = '1' else ET;
+  ET_next <= choice when condition = '1' else to_unsigned(0, 5);
+  equal <= '1' when ET = 24 else '0';
+  choice_2 <= equal when condition_2 = '1' else Q;
+  Q_next <= choice_2 when condition = '1' else '0';
 
   Q_last <= Q;
 
@@ -73,7 +79,6 @@ end entity conveyor_zero_speed;
 architecture rtl of conveyor_zero_speed is
   signal start_before : std_logic := '0';
   signal fault_reg : std_logic := '0';
-  signal start_before_2 : std_logic := '0';
   signal motor_reg : std_logic := '0';
   signal fault_rung1 : std_logic;
   signal bolt_stays_Q_last : std_logic;
@@ -91,7 +96,7 @@ begin
   fault_next <= bolt_stays_Q_last or bolt_missing_Q_last or fault_rung1;
 
   -- rung 3 "motor", conveyor_zero_speed.ladder:19
-  motor_next <= ((start and not start_before_2) or motor_reg) and stop and not fault_next;
+  motor_next <= ((start and not start_before) or motor_reg) and stop and not fault_next;
 
   -- rung 4 "on for too long", conveyor_zero_speed.ladder:22
   bolt_stays_power <= motor_next and bolt;
@@ -124,12 +129,10 @@ begin
       if rst = '1' then
         start_before <= '0';
         fault_reg <= '0';
-        start_before_2 <= '0';
         motor_reg <= '0';
       else
         start_before <= start;
         fault_reg <= fault_next;
-        start_before_2 <= start;
         motor_reg <= motor_next;
       end if;
     end if;

@@ -17,23 +17,30 @@ module debounce_TON_PT50 (
   input  wire power,
   output wire Q
 );
-  reg [31:0] ET = 32'd0;
+  reg [5:0] ET = 6'd0;
   reg was = 1'b0;
+  reg ET_is_50 = 1'b0;
 
-  wire less = $signed(ET) < 32'sd50;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] ET_next = (power & was) ? sum : 32'd0;
-  wire at_least = $signed(ET_next) >= 32'sd50;
+  wire condition = power & was;
+  wire condition_2 = tick & ~ET_is_50;
+  wire [5:0] sum = ET + 6'd1;
+  wire [5:0] choice = condition_2 ? sum : ET;
+  wire [5:0] ET_next = condition ? choice : 6'd0;
+  wire equal = ET == 6'h31;
+  wire choice_2 = condition_2 ? equal : ET_is_50;
+  wire ET_is_50_next = condition ? choice_2 : 1'b0;
 
-  assign Q = power & at_least;
+  assign Q = ET_is_50_next;
 
   always @(posedge clk) begin
     if (rst) begin
-      ET <= 32'd0;
+      ET <= 6'd0;
       was <= 1'b0;
+      ET_is_50 <= 1'b0;
     end else begin
       ET <= ET_next;
       was <= power;
+      ET_is_50 <= ET_is_50_next;
     end
   end
 endmodule
@@ -50,23 +57,23 @@ module debounce_TOF_PT5 (
   input  wire power,
   output wire Q
 );
-  reg [31:0] ET = 32'd0;
+  reg [2:0] ET = 3'd0;
   reg run = 1'b0;
   reg was = 1'b0;
 
-  wire less = $signed(ET) < 32'sd5;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] choice = was ? 32'd0 : sum;
-  wire less_2 = $signed(choice) < 32'sd5;
-  wire [31:0] choice_2 = run ? choice : ET;
-  wire [31:0] ET_next = power ? 32'd0 : choice_2;
-  wire run_next = power | run & less_2;
+  wire equal = ET == 3'h5;
+  wire [2:0] sum = ET + {2'b0, tick & ~equal};
+  wire [2:0] choice = was ? 3'd0 : sum;
+  wire equal_2 = ET == 3'h4;
+  wire [2:0] choice_2 = run ? choice : ET;
+  wire [2:0] ET_next = power ? 3'd0 : choice_2;
+  wire run_next = power | run & ~(~was & (tick & equal_2 | equal));
 
   assign Q = run_next;
 
   always @(posedge clk) begin
     if (rst) begin
-      ET <= 32'd0;
+      ET <= 3'd0;
       run <= 1'b0;
       was <= 1'b0;
     end else begin

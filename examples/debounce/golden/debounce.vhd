@@ -20,19 +20,28 @@ entity debounce_TON_PT50 is
 end entity debounce_TON_PT50;
 
 architecture rtl of debounce_TON_PT50 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(5 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal ET_is_50 : std_logic := '0';
+  signal condition : std_logic;
+  signal condition_2 : std_logic;
+  signal sum : unsigned(5 downto 0);
+  signal choice : unsigned(5 downto 0);
+  signal ET_next : unsigned(5 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
+  signal ET_is_50_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 50 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(ET_next) >= 50 else '0';
+  condition <= power and was;
+  condition_2 <= tick and not ET_is_50;
+  sum <= ET + 1;
+  choice <= sum when condition_2 = '1' else ET;
+  ET_next <= choice when condition = '1' else to_unsigned(0, 6);
+  equal <= '1' when ET = 49 else '0';
+  choice_2 <= equal when condition_2 = '1' else ET_is_50;
+  ET_is_50_next <= choice_2 when condition = '1' else '0';
 
-  Q <= power and at_least;
+  Q <= ET_is_50_next;
 
   process (clk)
   begin
@@ -40,9 +49,11 @@ begin
       if rst = '1' then
         ET <= (others => '0');
         was <= '0';
+        ET_is_50 <= '0';
       else
         ET <= ET_next;
         was <= power;
+        ET_is_50 <= ET_is_50_next;
       end if;
     end if;
   end process;
@@ -68,24 +79,24 @@ entity debounce_TOF_PT5 is
 end entity debounce_TOF_PT5;
 
 architecture rtl of debounce_TOF_PT5 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(2 downto 0) := (others => '0');
   signal run : std_logic := '0';
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal choice : unsigned(31 downto 0);
-  signal less_2 : std_logic;
-  signal choice_2 : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
+  signal equal : std_logic;
+  signal sum : unsigned(2 downto 0);
+  signal choice : unsigned(2 downto 0);
+  signal equal_2 : std_logic;
+  signal choice_2 : unsigned(2 downto 0);
+  signal ET_next : unsigned(2 downto 0);
   signal run_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 5 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  choice <= to_unsigned(0, 32) when was = '1' else sum;
-  less_2 <= '1' when signed(choice) < 5 else '0';
+  equal <= '1' when ET = 5 else '0';
+  sum <= ET + (to_unsigned(0, 2) & (tick and not equal));
+  choice <= to_unsigned(0, 3) when was = '1' else sum;
+  equal_2 <= '1' when ET = 4 else '0';
   choice_2 <= choice when run = '1' else ET;
-  ET_next <= to_unsigned(0, 32) when power = '1' else choice_2;
-  run_next <= power or (run and less_2);
+  ET_next <= to_unsigned(0, 3) when power = '1' else choice_2;
+  run_next <= power or (run and not (not was and ((tick and equal_2) or equal)));
 
   Q <= run_next;
 

@@ -18,21 +18,24 @@ module fan_pressure_TON_PT80 (
   output wire Q_last
 );
   reg Q = 1'b0;
-  reg [31:0] ET = 32'd0;
+  reg [6:0] ET = 7'd0;
   reg was = 1'b0;
 
-  wire less = $signed(ET) < 32'sd80;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] ET_next = (power & was) ? sum : 32'd0;
-  wire at_least = $signed(ET_next) >= 32'sd80;
-  wire Q_next = power & at_least;
+  wire condition = power & was;
+  wire condition_2 = tick & ~Q;
+  wire [6:0] sum = ET + 7'd1;
+  wire [6:0] choice = condition_2 ? sum : ET;
+  wire [6:0] ET_next = condition ? choice : 7'd0;
+  wire equal = ET == 7'h4f;
+  wire choice_2 = condition_2 ? equal : Q;
+  wire Q_next = condition ? choice_2 : 1'b0;
 
   assign Q_last = Q;
 
   always @(posedge clk) begin
     if (rst) begin
       Q <= 1'b0;
-      ET <= 32'd0;
+      ET <= 7'd0;
       was <= 1'b0;
     end else begin
       Q <= Q_next;
@@ -54,7 +57,6 @@ module fan_pressure (
 );
   reg start_before = 1'b0;
   reg tripped_reg = 1'b0;
-  reg start_before_2 = 1'b0;
   reg fan_reg = 1'b0;
 
   // rung 1 "low pressure at full speed", fan_pressure.ladder:12
@@ -65,7 +67,7 @@ module fan_pressure (
   wire tripped_next = up_to_speed_Q_last & low_pressure | tripped_rung1;
 
   // rung 3 "fan", fan_pressure.ladder:16
-  wire fan_next = (start & ~start_before_2 | fan_reg) & stop & ~tripped_next;
+  wire fan_next = (start & ~start_before | fan_reg) & stop & ~tripped_next;
   fan_pressure_TON_PT80 up_to_speed (
     .clk(clk),
     .rst(rst),
@@ -83,12 +85,10 @@ module fan_pressure (
     if (rst) begin
       start_before <= 1'b0;
       tripped_reg <= 1'b0;
-      start_before_2 <= 1'b0;
       fan_reg <= 1'b0;
     end else begin
       start_before <= start;
       tripped_reg <= tripped_next;
-      start_before_2 <= start;
       fan_reg <= fan_next;
     end
   end

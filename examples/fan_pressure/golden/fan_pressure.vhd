@@ -21,19 +21,25 @@ end entity fan_pressure_TON_PT80;
 
 architecture rtl of fan_pressure_TON_PT80 is
   signal Q : std_logic := '0';
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(6 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal condition : std_logic;
+  signal condition_2 : std_logic;
+  signal sum : unsigned(6 downto 0);
+  signal choice : unsigned(6 downto 0);
+  signal ET_next : unsigned(6 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
   signal Q_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 80 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(ET_next) >= 80 else '0';
-  Q_next <= power and at_least;
+  condition <= power and was;
+  condition_2 <= tick and not Q;
+  sum <= ET + 1;
+  choice <= sum when condition_2 = '1' else ET;
+  ET_next <= choice when condition = '1' else to_unsigned(0, 7);
+  equal <= '1' when ET = 79 else '0';
+  choice_2 <= equal when condition_2 = '1' else Q;
+  Q_next <= choice_2 when condition = '1' else '0';
 
   Q_last <= Q;
 
@@ -73,7 +79,6 @@ end entity fan_pressure;
 architecture rtl of fan_pressure is
   signal start_before : std_logic := '0';
   signal tripped_reg : std_logic := '0';
-  signal start_before_2 : std_logic := '0';
   signal fan_reg : std_logic := '0';
   signal tripped_rung1 : std_logic;
   signal up_to_speed_Q_last : std_logic;
@@ -88,7 +93,7 @@ begin
   tripped_next <= (up_to_speed_Q_last and low_pressure) or tripped_rung1;
 
   -- rung 3 "fan", fan_pressure.ladder:16
-  fan_next <= ((start and not start_before_2) or fan_reg) and stop and not tripped_next;
+  fan_next <= ((start and not start_before) or fan_reg) and stop and not tripped_next;
   up_to_speed: entity work.fan_pressure_TON_PT80
     port map (
       clk => clk,
@@ -109,12 +114,10 @@ begin
       if rst = '1' then
         start_before <= '0';
         tripped_reg <= '0';
-        start_before_2 <= '0';
         fan_reg <= '0';
       else
         start_before <= start;
         tripped_reg <= tripped_next;
-        start_before_2 <= start;
         fan_reg <= fan_next;
       end if;
     end if;

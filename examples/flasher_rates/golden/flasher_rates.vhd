@@ -70,14 +70,15 @@ entity flasher_rates is
 end entity flasher_rates;
 
 architecture rtl of flasher_rates is
-  signal on_time : unsigned(31 downto 0) := (others => '0');
-  signal cycle_PT : unsigned(31 downto 0) := (others => '0');
+  signal on_time : unsigned(4 downto 0) := (others => '0');
+  signal cycle_PT : unsigned(5 downto 0) := (others => '0');
   signal lamp_reg : std_logic := '0';
   signal rung1_power : std_logic;
-  signal on_time_rung1 : unsigned(31 downto 0);
-  signal cycle_PT_rung1 : unsigned(31 downto 0);
-  signal on_time_next : unsigned(31 downto 0);
-  signal cycle_PT_next : unsigned(31 downto 0);
+  signal on_time_rung1 : unsigned(4 downto 0);
+  signal cycle_PT_rung1 : unsigned(5 downto 0);
+  signal on_time_next : unsigned(4 downto 0);
+  signal cycle_PT_next : unsigned(5 downto 0);
+  signal cycle_PT_2 : unsigned(31 downto 0);
   signal cycle_Q : std_logic;
   signal cycle_ET : unsigned(31 downto 0);
   signal rung2_choice : unsigned(31 downto 0);
@@ -87,10 +88,11 @@ begin
 
   -- rung 1 "rate", flasher_rates.ladder:12
   rung1_power <= not slow;
-  on_time_rung1 <= to_unsigned(13, 32) when rung1_power = '1' else on_time;
-  cycle_PT_rung1 <= to_unsigned(25, 32) when rung1_power = '1' else cycle_PT;
-  on_time_next <= to_unsigned(25, 32) when slow = '1' else on_time_rung1;
-  cycle_PT_next <= to_unsigned(42, 32) when slow = '1' else cycle_PT_rung1;
+  on_time_rung1 <= to_unsigned(13, 5) when rung1_power = '1' else on_time;
+  cycle_PT_rung1 <= to_unsigned(25, 6) when rung1_power = '1' else cycle_PT;
+  on_time_next <= "11001" when slow = '1' else on_time_rung1;
+  cycle_PT_next <= "101010" when slow = '1' else cycle_PT_rung1;
+  cycle_PT_2 <= resize(cycle_PT_next, 32);
 
   -- rung 2 "one cycle after the other", flasher_rates.ladder:17
   cycle: entity work.flasher_rates_TON
@@ -99,7 +101,7 @@ begin
       rst => rst,
       tick => tick,
       power => enable,
-      PT => cycle_PT_next,
+      PT => cycle_PT_2,
       clear_after => cycle_Q,
       Q => cycle_Q,
       ET => cycle_ET
@@ -107,7 +109,7 @@ begin
   rung2_choice <= to_unsigned(0, 32) when cycle_Q = '1' else cycle_ET;
 
   -- rung 3 "lit in its first part", flasher_rates.ladder:20
-  rung3_less <= '1' when signed(rung2_choice) < signed(on_time_next) else '0';
+  rung3_less <= '1' when signed(rung2_choice) < signed(resize(on_time_next, 32)) else '0';
   lamp_next <= enable and rung3_less;
 
   lamp <= lamp_reg;

@@ -55,16 +55,17 @@ module flasher_rates_test (
   output wire        lamp,
   output wire [31:0] cycle_ET
 );
-  reg [31:0] on_time = 32'd0;
-  reg [31:0] cycle_PT = 32'd0;
+  reg [4:0] on_time = 5'd0;
+  reg [5:0] cycle_PT = 6'd0;
   reg lamp_reg = 1'b0;
 
   // rung 1 "rate", flasher_rates.ladder:12
   wire rung1_power = ~slow;
-  wire [31:0] on_time_rung1 = rung1_power ? 32'd13 : on_time;
-  wire [31:0] cycle_PT_rung1 = rung1_power ? 32'd25 : cycle_PT;
-  wire [31:0] on_time_next = slow ? 32'd25 : on_time_rung1;
-  wire [31:0] cycle_PT_next = slow ? 32'd42 : cycle_PT_rung1;
+  wire [4:0] on_time_rung1 = rung1_power ? 5'd13 : on_time;
+  wire [5:0] cycle_PT_rung1 = rung1_power ? 6'd25 : cycle_PT;
+  wire [4:0] on_time_next = slow ? 5'h19 : on_time_rung1;
+  wire [5:0] cycle_PT_next = slow ? 6'h2a : cycle_PT_rung1;
+  wire [31:0] cycle_PT_2 = {26'b0, cycle_PT_next};
 
   // rung 2 "one cycle after the other", flasher_rates.ladder:17
   wire cycle_Q;
@@ -75,7 +76,7 @@ module flasher_rates_test (
     .rst(rst),
     .tick(tick),
     .power(enable),
-    .PT(cycle_PT_next),
+    .PT(cycle_PT_2),
     .clear_after(cycle_Q),
     .Q(cycle_Q),
     .ET(cycle_ET_2),
@@ -84,7 +85,7 @@ module flasher_rates_test (
   wire [31:0] rung2_choice = cycle_Q ? 32'd0 : cycle_ET_2;
 
   // rung 3 "lit in its first part", flasher_rates.ladder:20
-  wire rung3_less = $signed(rung2_choice) < $signed(on_time_next);
+  wire rung3_less = $signed(rung2_choice) < $signed({27'b0, on_time_next});
   wire lamp_next = enable & rung3_less;
 
   assign lamp = lamp_reg;
@@ -92,8 +93,8 @@ module flasher_rates_test (
 
   always @(posedge clk) begin
     if (rst) begin
-      on_time <= 32'd0;
-      cycle_PT <= 32'd0;
+      on_time <= 5'd0;
+      cycle_PT <= 6'd0;
       lamp_reg <= 1'b0;
     end else begin
       on_time <= on_time_next;

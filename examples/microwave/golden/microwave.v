@@ -21,14 +21,18 @@ module microwave_TONR_PT900 (
   output wire Q_last
 );
   reg Q_reg = 1'b0;
-  reg [31:0] ET = 32'd0;
+  reg [9:0] ET = 10'd0;
   reg was = 1'b0;
+  reg ET_is_900 = 1'b0;
 
-  wire less = $signed(ET) < 32'sd900;
-  wire [31:0] sum = ET + {31'b0, power & was & tick & less};
-  wire [31:0] ET_next = R ? 32'd0 : sum;
-  wire at_least = $signed(ET_next) >= 32'sd900;
-  wire Q_next = ~R & at_least;
+  wire condition = power & was & tick & ~ET_is_900;
+  wire [9:0] sum = ET + 10'd1;
+  wire [9:0] choice = condition ? sum : ET;
+  wire [9:0] ET_next = R ? 10'd0 : choice;
+  wire equal = ET == 10'h383;
+  wire choice_2 = condition ? equal : ET_is_900;
+  wire ET_is_900_next = R ? 1'b0 : choice_2;
+  wire Q_next = ~R & ET_is_900_next;
 
   assign Q = Q_next;
   assign Q_last = Q_reg;
@@ -36,12 +40,14 @@ module microwave_TONR_PT900 (
   always @(posedge clk) begin
     if (rst) begin
       Q_reg <= 1'b0;
-      ET <= 32'd0;
+      ET <= 10'd0;
       was <= 1'b0;
+      ET_is_900 <= 1'b0;
     end else begin
       Q_reg <= Q_next;
       ET <= ET_next;
       was <= power;
+      ET_is_900 <= ET_is_900_next;
     end
   end
 endmodule
@@ -58,23 +64,23 @@ module microwave_TOF_PT30 (
   input  wire power,
   output wire Q
 );
-  reg [31:0] ET = 32'd0;
+  reg [4:0] ET = 5'd0;
   reg run = 1'b0;
   reg was = 1'b0;
 
-  wire less = $signed(ET) < 32'sd30;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] choice = was ? 32'd0 : sum;
-  wire less_2 = $signed(choice) < 32'sd30;
-  wire [31:0] choice_2 = run ? choice : ET;
-  wire [31:0] ET_next = power ? 32'd0 : choice_2;
-  wire run_next = power | run & less_2;
+  wire equal = ET == 5'h1e;
+  wire [4:0] sum = ET + {4'b0, tick & ~equal};
+  wire [4:0] choice = was ? 5'd0 : sum;
+  wire equal_2 = ET == 5'h1d;
+  wire [4:0] choice_2 = run ? choice : ET;
+  wire [4:0] ET_next = power ? 5'd0 : choice_2;
+  wire run_next = power | run & ~(~was & (tick & equal_2 | equal));
 
   assign Q = run_next;
 
   always @(posedge clk) begin
     if (rst) begin
-      ET <= 32'd0;
+      ET <= 5'd0;
       run <= 1'b0;
       was <= 1'b0;
     end else begin

@@ -24,19 +24,26 @@ end entity microwave_TONR_PT900;
 
 architecture rtl of microwave_TONR_PT900 is
   signal Q_reg : std_logic := '0';
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(9 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal ET_is_900 : std_logic := '0';
+  signal condition : std_logic;
+  signal sum : unsigned(9 downto 0);
+  signal choice : unsigned(9 downto 0);
+  signal ET_next : unsigned(9 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
+  signal ET_is_900_next : std_logic;
   signal Q_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 900 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (power and was and tick and less));
-  ET_next <= to_unsigned(0, 32) when R = '1' else sum;
-  at_least <= '1' when signed(ET_next) >= 900 else '0';
-  Q_next <= not R and at_least;
+  condition <= power and was and tick and not ET_is_900;
+  sum <= ET + 1;
+  choice <= sum when condition = '1' else ET;
+  ET_next <= to_unsigned(0, 10) when R = '1' else choice;
+  equal <= '1' when ET = 899 else '0';
+  choice_2 <= equal when condition = '1' else ET_is_900;
+  ET_is_900_next <= '0' when R = '1' else choice_2;
+  Q_next <= not R and ET_is_900_next;
 
   Q <= Q_next;
   Q_last <= Q_reg;
@@ -48,10 +55,12 @@ begin
         Q_reg <= '0';
         ET <= (others => '0');
         was <= '0';
+        ET_is_900 <= '0';
       else
         Q_reg <= Q_next;
         ET <= ET_next;
         was <= power;
+        ET_is_900 <= ET_is_900_next;
       end if;
     end if;
   end process;
@@ -77,24 +86,24 @@ entity microwave_TOF_PT30 is
 end entity microwave_TOF_PT30;
 
 architecture rtl of microwave_TOF_PT30 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(4 downto 0) := (others => '0');
   signal run : std_logic := '0';
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal choice : unsigned(31 downto 0);
-  signal less_2 : std_logic;
-  signal choice_2 : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
+  signal equal : std_logic;
+  signal sum : unsigned(4 downto 0);
+  signal choice : unsigned(4 downto 0);
+  signal equal_2 : std_logic;
+  signal choice_2 : unsigned(4 downto 0);
+  signal ET_next : unsigned(4 downto 0);
   signal run_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 30 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  choice <= to_unsigned(0, 32) when was = '1' else sum;
-  less_2 <= '1' when signed(choice) < 30 else '0';
+  equal <= '1' when ET = 30 else '0';
+  sum <= ET + (to_unsigned(0, 4) & (tick and not equal));
+  choice <= to_unsigned(0, 5) when was = '1' else sum;
+  equal_2 <= '1' when ET = 29 else '0';
   choice_2 <= choice when run = '1' else ET;
-  ET_next <= to_unsigned(0, 32) when power = '1' else choice_2;
-  run_next <= power or (run and less_2);
+  ET_next <= to_unsigned(0, 5) when power = '1' else choice_2;
+  run_next <= power or (run and not (not was and ((tick and equal_2) or equal)));
 
   Q <= run_next;
 

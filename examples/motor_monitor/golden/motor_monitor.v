@@ -17,23 +17,30 @@ module motor_monitor_TON_PT100 (
   input  wire power,
   output wire Q
 );
-  reg [31:0] ET = 32'd0;
+  reg [6:0] ET = 7'd0;
   reg was = 1'b0;
+  reg ET_is_100 = 1'b0;
 
-  wire less = $signed(ET) < 32'sd100;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] ET_next = (power & was) ? sum : 32'd0;
-  wire at_least = $signed(ET_next) >= 32'sd100;
+  wire condition = power & was;
+  wire condition_2 = tick & ~ET_is_100;
+  wire [6:0] sum = ET + 7'd1;
+  wire [6:0] choice = condition_2 ? sum : ET;
+  wire [6:0] ET_next = condition ? choice : 7'd0;
+  wire equal = ET == 7'h63;
+  wire choice_2 = condition_2 ? equal : ET_is_100;
+  wire ET_is_100_next = condition ? choice_2 : 1'b0;
 
-  assign Q = power & at_least;
+  assign Q = ET_is_100_next;
 
   always @(posedge clk) begin
     if (rst) begin
-      ET <= 32'd0;
+      ET <= 7'd0;
       was <= 1'b0;
+      ET_is_100 <= 1'b0;
     end else begin
       ET <= ET_next;
       was <= power;
+      ET_is_100 <= ET_is_100_next;
     end
   end
 endmodule

@@ -20,19 +20,28 @@ entity motor_monitor_TON_PT100 is
 end entity motor_monitor_TON_PT100;
 
 architecture rtl of motor_monitor_TON_PT100 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(6 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal ET_is_100 : std_logic := '0';
+  signal condition : std_logic;
+  signal condition_2 : std_logic;
+  signal sum : unsigned(6 downto 0);
+  signal choice : unsigned(6 downto 0);
+  signal ET_next : unsigned(6 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
+  signal ET_is_100_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 100 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(ET_next) >= 100 else '0';
+  condition <= power and was;
+  condition_2 <= tick and not ET_is_100;
+  sum <= ET + 1;
+  choice <= sum when condition_2 = '1' else ET;
+  ET_next <= choice when condition = '1' else to_unsigned(0, 7);
+  equal <= '1' when ET = 99 else '0';
+  choice_2 <= equal when condition_2 = '1' else ET_is_100;
+  ET_is_100_next <= choice_2 when condition = '1' else '0';
 
-  Q <= power and at_least;
+  Q <= ET_is_100_next;
 
   process (clk)
   begin
@@ -40,9 +49,11 @@ begin
       if rst = '1' then
         ET <= (others => '0');
         was <= '0';
+        ET_is_100 <= '0';
       else
         ET <= ET_next;
         was <= power;
+        ET_is_100 <= ET_is_100_next;
       end if;
     end if;
   end process;

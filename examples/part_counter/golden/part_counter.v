@@ -17,19 +17,20 @@ module part_counter_TON_PT5 (
   input  wire power,
   output wire Q
 );
-  reg [31:0] ET = 32'd0;
+  reg [2:0] ET = 3'd0;
   reg was = 1'b0;
 
-  wire less = $signed(ET) < 32'sd5;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] ET_next = (power & was) ? sum : 32'd0;
-  wire at_least = $signed(ET_next) >= 32'sd5;
+  wire condition = power & was;
+  wire equal = ET == 3'h5;
+  wire [2:0] sum = ET + {2'b0, tick & ~equal};
+  wire [2:0] ET_next = condition ? sum : 3'd0;
+  wire equal_2 = ET == 3'h4;
 
-  assign Q = power & at_least;
+  assign Q = condition & (tick & equal_2 | equal);
 
   always @(posedge clk) begin
     if (rst) begin
-      ET <= 32'd0;
+      ET <= 3'd0;
       was <= 1'b0;
     end else begin
       ET <= ET_next;
@@ -50,21 +51,21 @@ module part_counter_CTU_PV5 (
   input  wire        power,
   input  wire        R,
   output wire        Q,
-  output wire [15:0] CV
+  output wire [14:0] CV
 );
-  reg [15:0] CV_reg = 16'd0;
+  reg [14:0] CV_reg = 15'd0;
   reg was = 1'b0;
 
-  wire unequal = CV_reg != 16'd32767;
-  wire [15:0] sum = CV_reg + {15'b0, power & ~was & unequal};
-  wire [15:0] CV_next = R ? 16'd0 : sum;
+  wire unequal = CV_reg != 15'h7fff;
+  wire [14:0] sum = CV_reg + {14'b0, power & ~was & unequal};
+  wire [14:0] CV_next = R ? 15'd0 : sum;
 
-  assign Q = $signed(CV_next) >= 16'sd5;
+  assign Q = CV_next >= 15'd5;
   assign CV = CV_next;
 
   always @(posedge clk) begin
     if (rst) begin
-      CV_reg <= 16'd0;
+      CV_reg <= 15'd0;
       was <= 1'b0;
     end else begin
       CV_reg <= CV_next;
@@ -82,7 +83,7 @@ module part_counter (
   output wire [15:0] parts,
   output wire        batch_full
 );
-  reg [15:0] parts_reg = 16'd0;
+  reg [14:0] parts_reg = 15'd0;
   reg batch_full_reg = 1'b0;
 
   // rung 1 "a part is one that stays for half a second", part_counter.ladder:12
@@ -95,7 +96,7 @@ module part_counter (
     .Q(present_Q)
   );
   wire count_Q;
-  wire [15:0] count_CV;
+  wire [14:0] count_CV;
   part_counter_CTU_PV5 count (
     .clk(clk),
     .rst(rst),
@@ -107,14 +108,15 @@ module part_counter (
   wire batch_full_next = count_Q;
 
   // rung 2 "show the count", part_counter.ladder:15
-  wire [15:0] parts_next = count_CV;
+  wire [15:0] parts_value = {1'b0, parts_reg};
+  wire [14:0] parts_next = count_CV;
 
-  assign parts = parts_reg;
+  assign parts = parts_value;
   assign batch_full = batch_full_reg;
 
   always @(posedge clk) begin
     if (rst) begin
-      parts_reg <= 16'd0;
+      parts_reg <= 15'd0;
       batch_full_reg <= 1'b0;
     end else begin
       parts_reg <= parts_next;

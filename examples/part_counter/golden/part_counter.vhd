@@ -20,19 +20,21 @@ entity part_counter_TON_PT5 is
 end entity part_counter_TON_PT5;
 
 architecture rtl of part_counter_TON_PT5 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(2 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal condition : std_logic;
+  signal equal : std_logic;
+  signal sum : unsigned(2 downto 0);
+  signal ET_next : unsigned(2 downto 0);
+  signal equal_2 : std_logic;
 begin
-  less <= '1' when signed(ET) < 5 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(ET_next) >= 5 else '0';
+  condition <= power and was;
+  equal <= '1' when ET = 5 else '0';
+  sum <= ET + (to_unsigned(0, 2) & (tick and not equal));
+  ET_next <= sum when condition = '1' else to_unsigned(0, 3);
+  equal_2 <= '1' when ET = 4 else '0';
 
-  Q <= power and at_least;
+  Q <= condition and ((tick and equal_2) or equal);
 
   process (clk)
   begin
@@ -65,22 +67,22 @@ entity part_counter_CTU_PV5 is
     power : in  std_logic;
     R     : in  std_logic;
     Q     : out std_logic;
-    CV    : out unsigned(15 downto 0)
+    CV    : out unsigned(14 downto 0)
   );
 end entity part_counter_CTU_PV5;
 
 architecture rtl of part_counter_CTU_PV5 is
-  signal CV_reg : unsigned(15 downto 0) := (others => '0');
+  signal CV_reg : unsigned(14 downto 0) := (others => '0');
   signal was : std_logic := '0';
   signal unequal : std_logic;
-  signal sum : unsigned(15 downto 0);
-  signal CV_next : unsigned(15 downto 0);
+  signal sum : unsigned(14 downto 0);
+  signal CV_next : unsigned(14 downto 0);
 begin
   unequal <= '1' when CV_reg /= 32767 else '0';
-  sum <= CV_reg + (to_unsigned(0, 15) & (power and not was and unequal));
-  CV_next <= to_unsigned(0, 16) when R = '1' else sum;
+  sum <= CV_reg + (to_unsigned(0, 14) & (power and not was and unequal));
+  CV_next <= to_unsigned(0, 15) when R = '1' else sum;
 
-  Q <= '1' when signed(CV_next) >= 5 else '0';
+  Q <= '1' when CV_next >= 5 else '0';
   CV <= CV_next;
 
   process (clk)
@@ -114,13 +116,14 @@ entity part_counter is
 end entity part_counter;
 
 architecture rtl of part_counter is
-  signal parts_reg : unsigned(15 downto 0) := (others => '0');
+  signal parts_reg : unsigned(14 downto 0) := (others => '0');
   signal batch_full_reg : std_logic := '0';
   signal present_Q : std_logic;
   signal count_Q : std_logic;
-  signal count_CV : unsigned(15 downto 0);
+  signal count_CV : unsigned(14 downto 0);
   signal batch_full_next : std_logic;
-  signal parts_next : unsigned(15 downto 0);
+  signal parts_value : unsigned(15 downto 0);
+  signal parts_next : unsigned(14 downto 0);
 begin
 
   -- rung 1 "a part is one that stays for half a second", part_counter.ladder:12
@@ -144,9 +147,10 @@ begin
   batch_full_next <= count_Q;
 
   -- rung 2 "show the count", part_counter.ladder:15
+  parts_value <= resize(parts_reg, 16);
   parts_next <= count_CV;
 
-  parts <= std_logic_vector(parts_reg);
+  parts <= std_logic_vector(parts_value);
   batch_full <= batch_full_reg;
 
   process (clk)

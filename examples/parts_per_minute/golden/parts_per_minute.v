@@ -17,23 +17,30 @@ module parts_per_minute_TON_PT60 (
   input  wire power,
   output wire Q
 );
-  reg [31:0] ET = 32'd0;
+  reg [5:0] ET = 6'd0;
   reg was = 1'b0;
+  reg ET_is_60 = 1'b0;
 
-  wire less = $signed(ET) < 32'sd60;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] ET_next = (power & was) ? sum : 32'd0;
-  wire at_least = $signed(ET_next) >= 32'sd60;
+  wire condition = power & was;
+  wire condition_2 = tick & ~ET_is_60;
+  wire [5:0] sum = ET + 6'd1;
+  wire [5:0] choice = condition_2 ? sum : ET;
+  wire [5:0] ET_next = condition ? choice : 6'd0;
+  wire equal = ET == 6'h3b;
+  wire choice_2 = condition_2 ? equal : ET_is_60;
+  wire ET_is_60_next = condition ? choice_2 : 1'b0;
 
-  assign Q = power & at_least;
+  assign Q = ET_is_60_next;
 
   always @(posedge clk) begin
     if (rst) begin
-      ET <= 32'd0;
+      ET <= 6'd0;
       was <= 1'b0;
+      ET_is_60 <= 1'b0;
     end else begin
       ET <= ET_next;
       was <= power;
+      ET_is_60 <= ET_is_60_next;
     end
   end
 endmodule
@@ -49,20 +56,20 @@ module parts_per_minute_CTU_PV0 (
   input  wire        rst,
   input  wire        power,
   input  wire        R,
-  output wire [15:0] CV
+  output wire [14:0] CV
 );
-  reg [15:0] CV_reg = 16'd0;
+  reg [14:0] CV_reg = 15'd0;
   reg was = 1'b0;
 
-  wire unequal = CV_reg != 16'd32767;
-  wire [15:0] sum = CV_reg + {15'b0, power & ~was & unequal};
-  wire [15:0] CV_next = R ? 16'd0 : sum;
+  wire unequal = CV_reg != 15'h7fff;
+  wire [14:0] sum = CV_reg + {14'b0, power & ~was & unequal};
+  wire [14:0] CV_next = R ? 15'd0 : sum;
 
   assign CV = CV_next;
 
   always @(posedge clk) begin
     if (rst) begin
-      CV_reg <= 16'd0;
+      CV_reg <= 15'd0;
       was <= 1'b0;
     end else begin
       CV_reg <= CV_next;
@@ -81,7 +88,7 @@ module parts_per_minute (
   output wire        done
 );
   reg sensor_before = 1'b0;
-  reg [15:0] parts_reg = 16'd0;
+  reg [14:0] parts_reg = 15'd0;
   reg done_reg = 1'b0;
 
   // rung 1 "the minute", parts_per_minute.ladder:11
@@ -98,7 +105,7 @@ module parts_per_minute (
   // rung 2 "parts in it", parts_per_minute.ladder:14
   wire count_power = sensor & ~sensor_before & S & ~minute_Q;
   wire count_R = ~S;
-  wire [15:0] count_CV;
+  wire [14:0] count_CV;
   parts_per_minute_CTU_PV0 count (
     .clk(clk),
     .rst(rst),
@@ -108,15 +115,16 @@ module parts_per_minute (
   );
 
   // rung 3 "the count, kept until S opens", parts_per_minute.ladder:17
-  wire [15:0] parts_next = count_CV;
+  wire [15:0] parts_value = {1'b0, parts_reg};
+  wire [14:0] parts_next = count_CV;
 
-  assign parts = parts_reg;
+  assign parts = parts_value;
   assign done = done_reg;
 
   always @(posedge clk) begin
     if (rst) begin
       sensor_before <= 1'b0;
-      parts_reg <= 16'd0;
+      parts_reg <= 15'd0;
       done_reg <= 1'b0;
     end else begin
       sensor_before <= sensor;

@@ -20,19 +20,28 @@ entity parts_per_minute_TON_PT60 is
 end entity parts_per_minute_TON_PT60;
 
 architecture rtl of parts_per_minute_TON_PT60 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(5 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal ET_is_60 : std_logic := '0';
+  signal condition : std_logic;
+  signal condition_2 : std_logic;
+  signal sum : unsigned(5 downto 0);
+  signal choice : unsigned(5 downto 0);
+  signal ET_next : unsigned(5 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
+  signal ET_is_60_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 60 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(ET_next) >= 60 else '0';
+  condition <= power and was;
+  condition_2 <= tick and not ET_is_60;
+  sum <= ET + 1;
+  choice <= sum when condition_2 = '1' else ET;
+  ET_next <= choice when condition = '1' else to_unsigned(0, 6);
+  equal <= '1' when ET = 59 else '0';
+  choice_2 <= equal when condition_2 = '1' else ET_is_60;
+  ET_is_60_next <= choice_2 when condition = '1' else '0';
 
-  Q <= power and at_least;
+  Q <= ET_is_60_next;
 
   process (clk)
   begin
@@ -40,9 +49,11 @@ begin
       if rst = '1' then
         ET <= (others => '0');
         was <= '0';
+        ET_is_60 <= '0';
       else
         ET <= ET_next;
         was <= power;
+        ET_is_60 <= ET_is_60_next;
       end if;
     end if;
   end process;
@@ -64,20 +75,20 @@ entity parts_per_minute_CTU_PV0 is
     rst   : in  std_logic;
     power : in  std_logic;
     R     : in  std_logic;
-    CV    : out unsigned(15 downto 0)
+    CV    : out unsigned(14 downto 0)
   );
 end entity parts_per_minute_CTU_PV0;
 
 architecture rtl of parts_per_minute_CTU_PV0 is
-  signal CV_reg : unsigned(15 downto 0) := (others => '0');
+  signal CV_reg : unsigned(14 downto 0) := (others => '0');
   signal was : std_logic := '0';
   signal unequal : std_logic;
-  signal sum : unsigned(15 downto 0);
-  signal CV_next : unsigned(15 downto 0);
+  signal sum : unsigned(14 downto 0);
+  signal CV_next : unsigned(14 downto 0);
 begin
   unequal <= '1' when CV_reg /= 32767 else '0';
-  sum <= CV_reg + (to_unsigned(0, 15) & (power and not was and unequal));
-  CV_next <= to_unsigned(0, 16) when R = '1' else sum;
+  sum <= CV_reg + (to_unsigned(0, 14) & (power and not was and unequal));
+  CV_next <= to_unsigned(0, 15) when R = '1' else sum;
 
   CV <= CV_next;
 
@@ -113,14 +124,15 @@ end entity parts_per_minute;
 
 architecture rtl of parts_per_minute is
   signal sensor_before : std_logic := '0';
-  signal parts_reg : unsigned(15 downto 0) := (others => '0');
+  signal parts_reg : unsigned(14 downto 0) := (others => '0');
   signal done_reg : std_logic := '0';
   signal minute_Q : std_logic;
   signal done_next : std_logic;
   signal count_power : std_logic;
   signal count_R : std_logic;
-  signal count_CV : unsigned(15 downto 0);
-  signal parts_next : unsigned(15 downto 0);
+  signal count_CV : unsigned(14 downto 0);
+  signal parts_value : unsigned(15 downto 0);
+  signal parts_next : unsigned(14 downto 0);
 begin
 
   -- rung 1 "the minute", parts_per_minute.ladder:11
@@ -147,9 +159,10 @@ begin
     );
 
   -- rung 3 "the count, kept until S opens", parts_per_minute.ladder:17
+  parts_value <= resize(parts_reg, 16);
   parts_next <= count_CV;
 
-  parts <= std_logic_vector(parts_reg);
+  parts <= std_logic_vector(parts_value);
   done <= done_reg;
 
   process (clk)

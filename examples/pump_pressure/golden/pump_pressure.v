@@ -19,14 +19,17 @@ module pump_pressure_TON_PT50 (
   output wire Q_last
 );
   reg Q_reg = 1'b0;
-  reg [31:0] ET = 32'd0;
+  reg [5:0] ET = 6'd0;
   reg was = 1'b0;
 
-  wire less = $signed(ET) < 32'sd50;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] ET_next = (power & was) ? sum : 32'd0;
-  wire at_least = $signed(ET_next) >= 32'sd50;
-  wire Q_next = power & at_least;
+  wire condition = power & was;
+  wire condition_2 = tick & ~Q_reg;
+  wire [5:0] sum = ET + 6'd1;
+  wire [5:0] choice = condition_2 ? sum : ET;
+  wire [5:0] ET_next = condition ? choice : 6'd0;
+  wire equal = ET == 6'h31;
+  wire choice_2 = condition_2 ? equal : Q_reg;
+  wire Q_next = condition ? choice_2 : 1'b0;
 
   assign Q = Q_next;
   assign Q_last = Q_reg;
@@ -34,7 +37,7 @@ module pump_pressure_TON_PT50 (
   always @(posedge clk) begin
     if (rst) begin
       Q_reg <= 1'b0;
-      ET <= 32'd0;
+      ET <= 6'd0;
       was <= 1'b0;
     end else begin
       Q_reg <= Q_next;
@@ -57,7 +60,6 @@ module pump_pressure (
 );
   reg start_before = 1'b0;
   reg pump_reg = 1'b0;
-  reg start_before_2 = 1'b0;
   reg tripped_reg = 1'b0;
   reg low_pressure_reg = 1'b0;
 
@@ -78,7 +80,7 @@ module pump_pressure (
   );
 
   // rung 3 "tell the operator why it stands", pump_pressure.ladder:19
-  wire tripped_rung3 = tripped_reg & ~(start & ~start_before_2);
+  wire tripped_rung3 = tripped_reg & ~(start & ~start_before);
 
   // rung 4, pump_pressure.ladder:21
   wire tripped_next = delay_Q | tripped_rung3;
@@ -91,13 +93,11 @@ module pump_pressure (
     if (rst) begin
       start_before <= 1'b0;
       pump_reg <= 1'b0;
-      start_before_2 <= 1'b0;
       tripped_reg <= 1'b0;
       low_pressure_reg <= 1'b0;
     end else begin
       start_before <= start;
       pump_reg <= pump_next;
-      start_before_2 <= start;
       tripped_reg <= tripped_next;
       low_pressure_reg <= low_pressure_next;
     end

@@ -22,19 +22,25 @@ end entity pump_pressure_TON_PT50;
 
 architecture rtl of pump_pressure_TON_PT50 is
   signal Q_reg : std_logic := '0';
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(5 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal condition : std_logic;
+  signal condition_2 : std_logic;
+  signal sum : unsigned(5 downto 0);
+  signal choice : unsigned(5 downto 0);
+  signal ET_next : unsigned(5 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
   signal Q_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 50 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(ET_next) >= 50 else '0';
-  Q_next <= power and at_least;
+  condition <= power and was;
+  condition_2 <= tick and not Q_reg;
+  sum <= ET + 1;
+  choice <= sum when condition_2 = '1' else ET;
+  ET_next <= choice when condition = '1' else to_unsigned(0, 6);
+  equal <= '1' when ET = 49 else '0';
+  choice_2 <= equal when condition_2 = '1' else Q_reg;
+  Q_next <= choice_2 when condition = '1' else '0';
 
   Q <= Q_next;
   Q_last <= Q_reg;
@@ -76,7 +82,6 @@ end entity pump_pressure;
 architecture rtl of pump_pressure is
   signal start_before : std_logic := '0';
   signal pump_reg : std_logic := '0';
-  signal start_before_2 : std_logic := '0';
   signal tripped_reg : std_logic := '0';
   signal low_pressure_reg : std_logic := '0';
   signal delay_Q : std_logic;
@@ -104,7 +109,7 @@ begin
     );
 
   -- rung 3 "tell the operator why it stands", pump_pressure.ladder:19
-  tripped_rung3 <= tripped_reg and not (start and not start_before_2);
+  tripped_rung3 <= tripped_reg and not (start and not start_before);
 
   -- rung 4, pump_pressure.ladder:21
   tripped_next <= delay_Q or tripped_rung3;
@@ -119,13 +124,11 @@ begin
       if rst = '1' then
         start_before <= '0';
         pump_reg <= '0';
-        start_before_2 <= '0';
         tripped_reg <= '0';
         low_pressure_reg <= '0';
       else
         start_before <= start;
         pump_reg <= pump_next;
-        start_before_2 <= start;
         tripped_reg <= tripped_next;
         low_pressure_reg <= low_pressure_next;
       end if;

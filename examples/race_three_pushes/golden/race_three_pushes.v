@@ -17,19 +17,20 @@ module race_three_pushes_TON_power1_PT20 (
   input  wire clear_after,
   output wire Q
 );
-  reg [31:0] ET = 32'd0;
+  reg [4:0] ET = 5'd0;
   reg was = 1'b0;
 
-  wire less = $signed(ET) < 32'sd20;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] choice = was ? sum : 32'd0;
-  wire [31:0] ET_next = clear_after ? 32'd0 : choice;
+  wire equal = ET == 5'h14;
+  wire [4:0] sum = ET + {4'b0, tick & ~equal};
+  wire [4:0] choice = was ? sum : 5'd0;
+  wire equal_2 = ET == 5'h13;
+  wire [4:0] ET_next = clear_after ? 5'd0 : choice;
 
-  assign Q = $signed(choice) >= 32'sd20;
+  assign Q = was & (tick & equal_2 | equal);
 
   always @(posedge clk) begin
     if (rst) begin
-      ET <= 32'd0;
+      ET <= 5'd0;
       was <= 1'b0;
     end else begin
       ET <= ET_next;

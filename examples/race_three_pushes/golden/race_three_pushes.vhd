@@ -20,19 +20,21 @@ entity race_three_pushes_TON_power1_PT20 is
 end entity race_three_pushes_TON_power1_PT20;
 
 architecture rtl of race_three_pushes_TON_power1_PT20 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(4 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal choice : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
+  signal equal : std_logic;
+  signal sum : unsigned(4 downto 0);
+  signal choice : unsigned(4 downto 0);
+  signal equal_2 : std_logic;
+  signal ET_next : unsigned(4 downto 0);
 begin
-  less <= '1' when signed(ET) < 20 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  choice <= sum when was = '1' else to_unsigned(0, 32);
-  ET_next <= to_unsigned(0, 32) when clear_after = '1' else choice;
+  equal <= '1' when ET = 20 else '0';
+  sum <= ET + (to_unsigned(0, 4) & (tick and not equal));
+  choice <= sum when was = '1' else to_unsigned(0, 5);
+  equal_2 <= '1' when ET = 19 else '0';
+  ET_next <= to_unsigned(0, 5) when clear_after = '1' else choice;
 
-  Q <= '1' when signed(choice) >= 20 else '0';
+  Q <= was and ((tick and equal_2) or equal);
 
   process (clk)
   begin

@@ -17,22 +17,22 @@ entity race_two_pushes_CTU_PV2 is
     power       : in  std_logic;
     clear_after : in  std_logic;
     Q           : out std_logic;
-    CV          : out unsigned(15 downto 0)
+    CV          : out unsigned(14 downto 0)
   );
 end entity race_two_pushes_CTU_PV2;
 
 architecture rtl of race_two_pushes_CTU_PV2 is
-  signal CV_reg : unsigned(15 downto 0) := (others => '0');
+  signal CV_reg : unsigned(14 downto 0) := (others => '0');
   signal was : std_logic := '0';
   signal unequal : std_logic;
-  signal CV_value : unsigned(15 downto 0);
-  signal CV_next : unsigned(15 downto 0);
+  signal CV_value : unsigned(14 downto 0);
+  signal CV_next : unsigned(14 downto 0);
 begin
   unequal <= '1' when CV_reg /= 32767 else '0';
-  CV_value <= CV_reg + (to_unsigned(0, 15) & (power and not was and unequal));
-  CV_next <= to_unsigned(0, 16) when clear_after = '1' else CV_value;
+  CV_value <= CV_reg + (to_unsigned(0, 14) & (power and not was and unequal));
+  CV_next <= to_unsigned(0, 15) when clear_after = '1' else CV_value;
 
-  Q <= '1' when signed(CV_value) >= 2 else '0';
+  Q <= '1' when CV_value >= 2 else '0';
   CV <= CV_value;
 
   process (clk)
@@ -70,21 +70,23 @@ entity race_two_pushes_TON_PT20 is
 end entity race_two_pushes_TON_PT20;
 
 architecture rtl of race_two_pushes_TON_PT20 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(4 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal choice : unsigned(31 downto 0);
-  signal at_least : std_logic;
-  signal ET_next : unsigned(31 downto 0);
+  signal condition : std_logic;
+  signal equal : std_logic;
+  signal sum : unsigned(4 downto 0);
+  signal choice : unsigned(4 downto 0);
+  signal equal_2 : std_logic;
+  signal ET_next : unsigned(4 downto 0);
 begin
-  less <= '1' when signed(ET) < 20 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  choice <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(choice) >= 20 else '0';
-  ET_next <= to_unsigned(0, 32) when clear_after = '1' else choice;
+  condition <= power and was;
+  equal <= '1' when ET = 20 else '0';
+  sum <= ET + (to_unsigned(0, 4) & (tick and not equal));
+  choice <= sum when condition = '1' else to_unsigned(0, 5);
+  equal_2 <= '1' when ET = 19 else '0';
+  ET_next <= to_unsigned(0, 5) when clear_after = '1' else choice;
 
-  Q <= power and at_least;
+  Q <= condition and ((tick and equal_2) or equal);
 
   process (clk)
   begin
@@ -118,7 +120,7 @@ end entity race_two_pushes;
 architecture rtl of race_two_pushes is
   signal won_reg : std_logic := '0';
   signal pushes_Q : std_logic;
-  signal pushes_CV : unsigned(15 downto 0);
+  signal pushes_CV : unsigned(14 downto 0);
   signal time_power : std_logic;
   signal time_Q : std_logic;
   signal won_rung3 : std_logic;
@@ -131,7 +133,7 @@ begin
   -- rung 1 "count the pushes", race_two_pushes.ladder:10
 
   -- rung 2 "the time runs from the first push on", race_two_pushes.ladder:13
-  time_power <= '1' when signed(pushes_CV) > 0 else '0';
+  time_power <= '1' when pushes_CV /= 0 else '0';
 
   -- rung 3 "two pushes before the time is up", race_two_pushes.ladder:16
   won_rung3 <= (pushes_Q and not time_Q) or won_reg;

@@ -18,23 +18,23 @@ module race_two_pushes_test_CTU_PV2 (
   input  wire        power,
   input  wire        clear_after,
   output wire        Q,
-  output wire [15:0] CV,
-  output wire [15:0] CV_last
+  output wire [14:0] CV,
+  output wire [14:0] CV_last
 );
-  reg [15:0] CV_reg = 16'd0;
+  reg [14:0] CV_reg = 15'd0;
   reg was = 1'b0;
 
-  wire unequal = CV_reg != 16'd32767;
-  wire [15:0] CV_value = CV_reg + {15'b0, power & ~was & unequal};
-  wire [15:0] CV_next = clear_after ? 16'd0 : CV_value;
+  wire unequal = CV_reg != 15'h7fff;
+  wire [14:0] CV_value = CV_reg + {14'b0, power & ~was & unequal};
+  wire [14:0] CV_next = clear_after ? 15'd0 : CV_value;
 
-  assign Q = $signed(CV_value) >= 16'sd2;
+  assign Q = CV_value >= 15'd2;
   assign CV = CV_value;
   assign CV_last = CV_reg;
 
   always @(posedge clk) begin
     if (rst) begin
-      CV_reg <= 16'd0;
+      CV_reg <= 15'd0;
       was <= 1'b0;
     end else begin
       CV_reg <= CV_next;
@@ -56,20 +56,21 @@ module race_two_pushes_test_TON_PT20 (
   input  wire clear_after,
   output wire Q
 );
-  reg [31:0] ET = 32'd0;
+  reg [4:0] ET = 5'd0;
   reg was = 1'b0;
 
-  wire less = $signed(ET) < 32'sd20;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] choice = (power & was) ? sum : 32'd0;
-  wire at_least = $signed(choice) >= 32'sd20;
-  wire [31:0] ET_next = clear_after ? 32'd0 : choice;
+  wire condition = power & was;
+  wire equal = ET == 5'h14;
+  wire [4:0] sum = ET + {4'b0, tick & ~equal};
+  wire [4:0] choice = condition ? sum : 5'd0;
+  wire equal_2 = ET == 5'h13;
+  wire [4:0] ET_next = clear_after ? 5'd0 : choice;
 
-  assign Q = power & at_least;
+  assign Q = condition & (tick & equal_2 | equal);
 
   always @(posedge clk) begin
     if (rst) begin
-      ET <= 32'd0;
+      ET <= 5'd0;
       was <= 1'b0;
     end else begin
       ET <= ET_next;
@@ -91,11 +92,11 @@ module race_two_pushes_test (
 
   // rung 1 "count the pushes", race_two_pushes.ladder:10
   wire pushes_Q;
-  wire [15:0] pushes_CV_2;
-  wire [15:0] pushes_CV_last;
+  wire [14:0] pushes_CV_2;
+  wire [14:0] pushes_CV_last;
 
   // rung 2 "the time runs from the first push on", race_two_pushes.ladder:13
-  wire time_power = $signed(pushes_CV_2) > 16'sd0;
+  wire time_power = pushes_CV_2 != 15'd0;
   wire time_Q;
 
   // rung 3 "two pushes before the time is up", race_two_pushes.ladder:16
@@ -106,6 +107,7 @@ module race_two_pushes_test (
 
   // rung 5 "clear", race_two_pushes.ladder:22
   wire won_next = won_rung3 & ~clear;
+  wire [15:0] pushes_CV_value = {1'b0, pushes_CV_last};
   wire pushes_clear_after = rung4_power | clear;
   race_two_pushes_test_CTU_PV2 pushes (
     .clk(clk),
@@ -127,7 +129,7 @@ module race_two_pushes_test (
   );
 
   assign won = won_reg;
-  assign pushes_CV = pushes_CV_last;
+  assign pushes_CV = pushes_CV_value;
 
   always @(posedge clk) begin
     if (rst) begin

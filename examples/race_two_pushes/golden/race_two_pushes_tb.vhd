@@ -20,23 +20,23 @@ entity race_two_pushes_test_CTU_PV2 is
     power       : in  std_logic;
     clear_after : in  std_logic;
     Q           : out std_logic;
-    CV          : out unsigned(15 downto 0);
-    CV_last     : out unsigned(15 downto 0)
+    CV          : out unsigned(14 downto 0);
+    CV_last     : out unsigned(14 downto 0)
   );
 end entity race_two_pushes_test_CTU_PV2;
 
 architecture rtl of race_two_pushes_test_CTU_PV2 is
-  signal CV_reg : unsigned(15 downto 0) := (others => '0');
+  signal CV_reg : unsigned(14 downto 0) := (others => '0');
   signal was : std_logic := '0';
   signal unequal : std_logic;
-  signal CV_value : unsigned(15 downto 0);
-  signal CV_next : unsigned(15 downto 0);
+  signal CV_value : unsigned(14 downto 0);
+  signal CV_next : unsigned(14 downto 0);
 begin
   unequal <= '1' when CV_reg /= 32767 else '0';
-  CV_value <= CV_reg + (to_unsigned(0, 15) & (power and not was and unequal));
-  CV_next <= to_unsigned(0, 16) when clear_after = '1' else CV_value;
+  CV_value <= CV_reg + (to_unsigned(0, 14) & (power and not was and unequal));
+  CV_next <= to_unsigned(0, 15) when clear_after = '1' else CV_value;
 
-  Q <= '1' when signed(CV_value) >= 2 else '0';
+  Q <= '1' when CV_value >= 2 else '0';
   CV <= CV_value;
   CV_last <= CV_reg;
 
@@ -75,21 +75,23 @@ entity race_two_pushes_test_TON_PT20 is
 end entity race_two_pushes_test_TON_PT20;
 
 architecture rtl of race_two_pushes_test_TON_PT20 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(4 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal choice : unsigned(31 downto 0);
-  signal at_least : std_logic;
-  signal ET_next : unsigned(31 downto 0);
+  signal condition : std_logic;
+  signal equal : std_logic;
+  signal sum : unsigned(4 downto 0);
+  signal choice : unsigned(4 downto 0);
+  signal equal_2 : std_logic;
+  signal ET_next : unsigned(4 downto 0);
 begin
-  less <= '1' when signed(ET) < 20 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  choice <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(choice) >= 20 else '0';
-  ET_next <= to_unsigned(0, 32) when clear_after = '1' else choice;
+  condition <= power and was;
+  equal <= '1' when ET = 20 else '0';
+  sum <= ET + (to_unsigned(0, 4) & (tick and not equal));
+  choice <= sum when condition = '1' else to_unsigned(0, 5);
+  equal_2 <= '1' when ET = 19 else '0';
+  ET_next <= to_unsigned(0, 5) when clear_after = '1' else choice;
 
-  Q <= power and at_least;
+  Q <= condition and ((tick and equal_2) or equal);
 
   process (clk)
   begin
@@ -124,13 +126,14 @@ end entity race_two_pushes_test;
 architecture rtl of race_two_pushes_test is
   signal won_reg : std_logic := '0';
   signal pushes_Q : std_logic;
-  signal pushes_CV_2 : unsigned(15 downto 0);
-  signal pushes_CV_last : unsigned(15 downto 0);
+  signal pushes_CV_2 : unsigned(14 downto 0);
+  signal pushes_CV_last : unsigned(14 downto 0);
   signal time_power : std_logic;
   signal time_Q : std_logic;
   signal won_rung3 : std_logic;
   signal rung4_power : std_logic;
   signal won_next : std_logic;
+  signal pushes_CV_value : unsigned(15 downto 0);
   signal pushes_clear_after : std_logic;
   signal time_clear_after : std_logic;
 begin
@@ -138,7 +141,7 @@ begin
   -- rung 1 "count the pushes", race_two_pushes.ladder:10
 
   -- rung 2 "the time runs from the first push on", race_two_pushes.ladder:13
-  time_power <= '1' when signed(pushes_CV_2) > 0 else '0';
+  time_power <= '1' when pushes_CV_2 /= 0 else '0';
 
   -- rung 3 "two pushes before the time is up", race_two_pushes.ladder:16
   won_rung3 <= (pushes_Q and not time_Q) or won_reg;
@@ -148,6 +151,7 @@ begin
 
   -- rung 5 "clear", race_two_pushes.ladder:22
   won_next <= won_rung3 and not clear;
+  pushes_CV_value <= resize(pushes_CV_last, 16);
   pushes_clear_after <= rung4_power or clear;
   pushes: entity work.race_two_pushes_test_CTU_PV2
     port map (
@@ -171,7 +175,7 @@ begin
     );
 
   won <= won_reg;
-  pushes_CV <= std_logic_vector(pushes_CV_last);
+  pushes_CV <= std_logic_vector(pushes_CV_value);
 
   process (clk)
   begin

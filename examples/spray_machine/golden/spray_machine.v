@@ -17,19 +17,20 @@ module spray_machine_TON_PT15 (
   input  wire power,
   output wire Q
 );
-  reg [31:0] ET = 32'd0;
+  reg [3:0] ET = 4'd0;
   reg was = 1'b0;
 
-  wire less = $signed(ET) < 32'sd15;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] ET_next = (power & was) ? sum : 32'd0;
-  wire at_least = $signed(ET_next) >= 32'sd15;
+  wire condition = power & was;
+  wire equal = ET == 4'hf;
+  wire [3:0] sum = ET + {3'b0, tick & ~equal};
+  wire [3:0] ET_next = condition ? sum : 4'd0;
+  wire equal_2 = ET == 4'he;
 
-  assign Q = power & at_least;
+  assign Q = condition & (tick & equal_2 | equal);
 
   always @(posedge clk) begin
     if (rst) begin
-      ET <= 32'd0;
+      ET <= 4'd0;
       was <= 1'b0;
     end else begin
       ET <= ET_next;
@@ -50,24 +51,24 @@ module spray_machine_TP_PT20 (
   input  wire power,
   output wire Q
 );
-  reg [31:0] ET = 32'd0;
+  reg [4:0] ET = 5'd0;
   reg run = 1'b0;
   reg was = 1'b0;
 
-  wire less = $signed(ET) < 32'sd20;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire less_2 = $signed(sum) < 32'sd20;
+  wire equal = ET == 5'h14;
+  wire [4:0] sum = ET + {4'b0, tick & ~equal};
+  wire equal_2 = ET == 5'h13;
   wire condition = power & ~was;
-  wire [31:0] choice = condition ? 32'd0 : ET;
-  wire [31:0] choice_2 = run ? sum : choice;
-  wire run_next = run ? less_2 : condition;
-  wire [31:0] ET_next = (run_next | power) ? choice_2 : 32'd0;
+  wire [4:0] choice = condition ? 5'd0 : ET;
+  wire [4:0] choice_2 = run ? sum : choice;
+  wire run_next = run ? ~(tick & equal_2 | equal) : condition;
+  wire [4:0] ET_next = (run_next | power) ? choice_2 : 5'd0;
 
   assign Q = run_next;
 
   always @(posedge clk) begin
     if (rst) begin
-      ET <= 32'd0;
+      ET <= 5'd0;
       run <= 1'b0;
       was <= 1'b0;
     end else begin

@@ -20,19 +20,21 @@ entity spray_machine_TON_PT15 is
 end entity spray_machine_TON_PT15;
 
 architecture rtl of spray_machine_TON_PT15 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(3 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal condition : std_logic;
+  signal equal : std_logic;
+  signal sum : unsigned(3 downto 0);
+  signal ET_next : unsigned(3 downto 0);
+  signal equal_2 : std_logic;
 begin
-  less <= '1' when signed(ET) < 15 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(ET_next) >= 15 else '0';
+  condition <= power and was;
+  equal <= '1' when ET = 15 else '0';
+  sum <= ET + (to_unsigned(0, 3) & (tick and not equal));
+  ET_next <= sum when condition = '1' else to_unsigned(0, 4);
+  equal_2 <= '1' when ET = 14 else '0';
 
-  Q <= power and at_least;
+  Q <= condition and ((tick and equal_2) or equal);
 
   process (clk)
   begin
@@ -68,26 +70,26 @@ entity spray_machine_TP_PT20 is
 end entity spray_machine_TP_PT20;
 
 architecture rtl of spray_machine_TP_PT20 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(4 downto 0) := (others => '0');
   signal run : std_logic := '0';
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal less_2 : std_logic;
+  signal equal : std_logic;
+  signal sum : unsigned(4 downto 0);
+  signal equal_2 : std_logic;
   signal condition : std_logic;
-  signal choice : unsigned(31 downto 0);
-  signal choice_2 : unsigned(31 downto 0);
+  signal choice : unsigned(4 downto 0);
+  signal choice_2 : unsigned(4 downto 0);
   signal run_next : std_logic;
-  signal ET_next : unsigned(31 downto 0);
+  signal ET_next : unsigned(4 downto 0);
 begin
-  less <= '1' when signed(ET) < 20 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  less_2 <= '1' when signed(sum) < 20 else '0';
+  equal <= '1' when ET = 20 else '0';
+  sum <= ET + (to_unsigned(0, 4) & (tick and not equal));
+  equal_2 <= '1' when ET = 19 else '0';
   condition <= power and not was;
-  choice <= to_unsigned(0, 32) when condition = '1' else ET;
+  choice <= to_unsigned(0, 5) when condition = '1' else ET;
   choice_2 <= sum when run = '1' else choice;
-  run_next <= less_2 when run = '1' else condition;
-  ET_next <= choice_2 when (run_next or power) = '1' else to_unsigned(0, 32);
+  run_next <= not ((tick and equal_2) or equal) when run = '1' else condition;
+  ET_next <= choice_2 when (run_next or power) = '1' else to_unsigned(0, 5);
 
   Q <= run_next;
 

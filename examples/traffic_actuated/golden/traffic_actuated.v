@@ -17,23 +17,30 @@ module traffic_actuated_TON_PT20 (
   input  wire power,
   output wire Q
 );
-  reg [31:0] ET = 32'd0;
+  reg [4:0] ET = 5'd0;
   reg was = 1'b0;
+  reg ET_is_20 = 1'b0;
 
-  wire less = $signed(ET) < 32'sd20;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] ET_next = (power & was) ? sum : 32'd0;
-  wire at_least = $signed(ET_next) >= 32'sd20;
+  wire condition = power & was;
+  wire condition_2 = tick & ~ET_is_20;
+  wire [4:0] sum = ET + 5'd1;
+  wire [4:0] choice = condition_2 ? sum : ET;
+  wire [4:0] ET_next = condition ? choice : 5'd0;
+  wire equal = ET == 5'h13;
+  wire choice_2 = condition_2 ? equal : ET_is_20;
+  wire ET_is_20_next = condition ? choice_2 : 1'b0;
 
-  assign Q = power & at_least;
+  assign Q = ET_is_20_next;
 
   always @(posedge clk) begin
     if (rst) begin
-      ET <= 32'd0;
+      ET <= 5'd0;
       was <= 1'b0;
+      ET_is_20 <= 1'b0;
     end else begin
       ET <= ET_next;
       was <= power;
+      ET_is_20 <= ET_is_20_next;
     end
   end
 endmodule
@@ -91,14 +98,14 @@ module traffic_actuated (
   output wire walk,
   output wire walk_soon
 );
-  reg [15:0] interval = 16'd9;
+  reg [3:0] interval = 4'h9;
   reg walk_soon_reg = 1'b0;
   reg turn_called = 1'b0;
   reg far_loop_before = 1'b0;
   reg on_the_way = 1'b0;
   reg near_loop_before = 1'b0;
   reg backed_up = 1'b0;
-  reg [31:0] timer_PT = 32'd0;
+  reg [6:0] timer_PT = 7'd0;
   reg ns_green_reg = 1'b0;
   reg ns_yellow_reg = 1'b0;
   reg ns_red_reg = 1'b1;
@@ -111,12 +118,12 @@ module traffic_actuated (
   reg walk_reg = 1'b0;
 
   // rung 1 "a pedestrian waits", traffic_actuated.ladder:34
-  wire rung1_unequal = interval != 16'd10;
-  wire walk_soon_rung1 = walk_button & rung1_unequal | walk_soon_reg;
+  wire rung1_equal = interval == 4'ha;
+  wire walk_soon_rung1 = walk_button & ~rung1_equal | walk_soon_reg;
 
   // rung 2 "a car waits in the turn lane", traffic_actuated.ladder:37
-  wire rung2_unequal = interval != 16'd4;
-  wire turn_called_rung2 = (far_loop | near_loop) & rung2_unequal | turn_called;
+  wire rung2_equal = interval == 4'd4;
+  wire turn_called_rung2 = (far_loop | near_loop) & ~rung2_equal | turn_called;
 
   // rung 3 "a car that needs two seconds from loop to loop stands in a queue", traffic_actuated.ladder:40
   wire on_the_way_rung3 = far_loop & ~far_loop_before | on_the_way;
@@ -137,51 +144,50 @@ module traffic_actuated (
   wire backed_up_rung5 = rung5_power & slow_Q | backed_up;
 
   // rung 6 "how long the interval lasts", traffic_actuated.ladder:45
-  wire rung6_equal = interval == 16'd3;
-  wire rung6_equal_2 = interval == 16'd6;
-  wire rung6_equal_3 = interval == 16'd9;
-  wire [31:0] timer_PT_rung6 = (rung6_equal | rung6_equal_2 | rung6_equal_3) ? 32'd10 : timer_PT;
+  wire rung6_equal = interval == 4'd3;
+  wire rung6_equal_2 = interval == 4'd6;
+  wire rung6_equal_3 = interval == 4'h9;
+  wire [6:0] timer_PT_rung6 = (rung6_equal | rung6_equal_2 | rung6_equal_3) ? 7'd10 : timer_PT;
 
   // rung 7, traffic_actuated.ladder:48
-  wire rung7_equal = interval == 16'd2;
-  wire rung7_equal_2 = interval == 16'd5;
-  wire rung7_equal_3 = interval == 16'd8;
-  wire rung7_equal_4 = interval == 16'd11;
-  wire [31:0] timer_PT_rung7 =
-      (rung7_equal | rung7_equal_2 | rung7_equal_3 | rung7_equal_4) ? 32'd30 : timer_PT_rung6;
+  wire rung7_equal = interval == 4'd2;
+  wire rung7_equal_2 = interval == 4'd5;
+  wire rung7_equal_3 = interval == 4'h8;
+  wire rung7_equal_4 = interval == 4'hb;
+  wire [6:0] timer_PT_rung7 =
+      (rung7_equal | rung7_equal_2 | rung7_equal_3 | rung7_equal_4) ? 7'd30 : timer_PT_rung6;
 
   // rung 8, traffic_actuated.ladder:54
-  wire rung8_equal = interval == 16'd1;
-  wire [31:0] timer_PT_rung8 = rung8_equal ? 32'd120 : timer_PT_rung7;
+  wire rung8_equal = interval == 4'd1;
+  wire [6:0] timer_PT_rung8 = rung8_equal ? 7'h78 : timer_PT_rung7;
 
   // rung 9, traffic_actuated.ladder:55
-  wire rung9_equal = interval == 16'd4;
-  wire [31:0] timer_PT_rung9 = (rung9_equal & ~backed_up_rung5) ? 32'd60 : timer_PT_rung8;
-  wire [31:0] timer_PT_rung9_2 = (rung9_equal & backed_up_rung5) ? 32'd120 : timer_PT_rung9;
+  wire [6:0] timer_PT_rung9 = (rung2_equal & ~backed_up_rung5) ? 7'd60 : timer_PT_rung8;
+  wire [6:0] timer_PT_rung9_2 = (rung2_equal & backed_up_rung5) ? 7'h78 : timer_PT_rung9;
 
   // rung 10, traffic_actuated.ladder:56
-  wire rung10_equal = interval == 16'd7;
-  wire [31:0] timer_PT_rung10 = rung10_equal ? 32'd100 : timer_PT_rung9_2;
+  wire rung10_equal = interval == 4'd7;
+  wire [6:0] timer_PT_rung10 = rung10_equal ? 7'h64 : timer_PT_rung9_2;
 
   // rung 11, traffic_actuated.ladder:57
-  wire rung11_equal = interval == 16'd10;
-  wire [31:0] timer_PT_next = rung11_equal ? 32'd80 : timer_PT_rung10;
+  wire [6:0] timer_PT_next = rung1_equal ? 7'h50 : timer_PT_rung10;
+  wire [31:0] timer_PT_2 = {25'b0, timer_PT_next};
 
   // rung 12 "which one comes next", traffic_actuated.ladder:59
-  wire [15:0] next_rung12 = interval + 16'd1;
+  wire [3:0] next_rung12 = interval + 4'd1;
 
   // rung 13, traffic_actuated.ladder:61
-  wire rung13_equal = interval == 16'd3;
-  wire [15:0] next_rung13 = (rung13_equal & ~turn_called_rung2) ? 16'd7 : next_rung12;
+  wire rung13_power = rung6_equal & ~turn_called_rung2;
+  wire [3:0] next_rung13 = rung13_power ? 4'd7 : next_rung12;
 
   // rung 14, traffic_actuated.ladder:62
-  wire rung14_equal = interval == 16'd9;
-  wire [15:0] next_rung14 = (rung14_equal & walk_soon_rung1) ? 16'd10 : next_rung13;
-  wire [15:0] next_rung14_2 = (rung14_equal & ~walk_soon_rung1) ? 16'd1 : next_rung14;
+  wire rung14_power = rung6_equal_3 & walk_soon_rung1;
+  wire [3:0] next_rung14 = rung14_power ? 4'ha : next_rung13;
+  wire rung14_power_2 = rung6_equal_3 & ~walk_soon_rung1;
+  wire [3:0] next_rung14_2 = rung14_power_2 ? 4'd1 : next_rung14;
 
   // rung 15, traffic_actuated.ladder:63
-  wire rung15_equal = interval == 16'd11;
-  wire [15:0] next_u = rung15_equal ? 16'd1 : next_rung14_2;
+  wire [3:0] next_u = rung7_equal_4 ? 4'd1 : next_rung14_2;
 
   // rung 16 "on to it", traffic_actuated.ladder:65
   wire timer_Q;
@@ -189,53 +195,74 @@ module traffic_actuated (
     .clk(clk),
     .rst(rst),
     .tick(tick),
-    .PT(timer_PT_next),
+    .PT(timer_PT_2),
     .clear_after(timer_Q),
     .Q(timer_Q)
   );
-  wire [15:0] interval_next = timer_Q ? next_u : interval;
+  wire [3:0] interval_next = timer_Q ? next_u : interval;
 
   // rung 17 "who is served waits no more", traffic_actuated.ladder:68
-  wire rung17_unequal = interval_next != 16'd10;
-  wire walk_soon_next = walk_soon_rung1 & rung17_unequal;
+  wire rung17_choice =
+      timer_Q ? ~rung7_equal_4 & ~rung14_power_2 & (rung14_power | ~rung13_power & rung6_equal_3)
+      : rung1_equal;
+  wire walk_soon_next = walk_soon_rung1 & ~rung17_choice;
 
   // rung 18, traffic_actuated.ladder:70
-  wire rung18_unequal = interval_next != 16'd4;
-  wire turn_called_next = turn_called_rung2 & rung18_unequal;
+  wire rung18_choice =
+      timer_Q ? ~rung7_equal_4 & ~rung14_power_2 & ~rung14_power & ~rung13_power & rung6_equal
+      : rung2_equal;
+  wire turn_called_next = turn_called_rung2 & ~rung18_choice;
 
   // rung 19, traffic_actuated.ladder:71
-  wire rung19_unequal = interval_next != 16'd5;
-  wire backed_up_next = backed_up_rung5 & rung19_unequal;
+  wire rung19_choice =
+      timer_Q ? ~rung7_equal_4 & ~rung14_power_2 & ~rung14_power & ~rung13_power & rung2_equal
+      : rung7_equal_2;
+  wire backed_up_next = backed_up_rung5 & ~rung19_choice;
 
   // rung 20 "north-south, straight on", traffic_actuated.ladder:73
-  wire ns_green_next = interval_next == 16'd1;
+  wire rung20_equal = interval == 4'd0;
+  wire ns_green_next =
+      timer_Q ? rung7_equal_4 | rung14_power_2 | ~rung14_power & ~rung13_power & rung20_equal
+      : rung8_equal;
 
   // rung 21, traffic_actuated.ladder:75
-  wire ns_yellow_next = interval_next == 16'd2;
+  wire ns_yellow_next =
+      timer_Q ? ~rung7_equal_4 & ~rung14_power_2 & ~rung14_power & ~rung13_power & rung8_equal
+      : rung7_equal;
 
   // rung 22, traffic_actuated.ladder:76
   wire ns_red_next = ~ns_green_next & ~ns_yellow_next;
 
   // rung 23 "north-south, turning", traffic_actuated.ladder:78
-  wire turn_green_next = interval_next == 16'd4;
+  wire turn_green_next =
+      timer_Q ? ~rung7_equal_4 & ~rung14_power_2 & ~rung14_power & ~rung13_power & rung6_equal
+      : rung2_equal;
 
   // rung 24, traffic_actuated.ladder:80
-  wire turn_yellow_next = interval_next == 16'd5;
+  wire turn_yellow_next =
+      timer_Q ? ~rung7_equal_4 & ~rung14_power_2 & ~rung14_power & ~rung13_power & rung2_equal
+      : rung7_equal_2;
 
   // rung 25, traffic_actuated.ladder:81
   wire turn_red_next = ~turn_green_next & ~turn_yellow_next;
 
   // rung 26 "east-west", traffic_actuated.ladder:83
-  wire ew_green_next = interval_next == 16'd7;
+  wire ew_green_next =
+      timer_Q ? ~rung7_equal_4 & ~rung14_power_2 & ~rung14_power & (rung13_power | rung6_equal_2)
+      : rung10_equal;
 
   // rung 27, traffic_actuated.ladder:85
-  wire ew_yellow_next = interval_next == 16'd8;
+  wire ew_yellow_next =
+      timer_Q ? ~rung7_equal_4 & ~rung14_power_2 & ~rung14_power & ~rung13_power & rung10_equal
+      : rung7_equal_3;
 
   // rung 28, traffic_actuated.ladder:86
   wire ew_red_next = ~ew_green_next & ~ew_yellow_next;
 
   // rung 29 "pedestrians", traffic_actuated.ladder:88
-  wire walk_next = interval_next == 16'd10;
+  wire walk_next =
+      timer_Q ? ~rung7_equal_4 & ~rung14_power_2 & (rung14_power | ~rung13_power & rung6_equal_3)
+      : rung1_equal;
 
   assign ns_green = ns_green_reg;
   assign ns_yellow = ns_yellow_reg;
@@ -251,14 +278,14 @@ module traffic_actuated (
 
   always @(posedge clk) begin
     if (rst) begin
-      interval <= 16'd9;
+      interval <= 4'h9;
       walk_soon_reg <= 1'b0;
       turn_called <= 1'b0;
       far_loop_before <= 1'b0;
       on_the_way <= 1'b0;
       near_loop_before <= 1'b0;
       backed_up <= 1'b0;
-      timer_PT <= 32'd0;
+      timer_PT <= 7'd0;
       ns_green_reg <= 1'b0;
       ns_yellow_reg <= 1'b0;
       ns_red_reg <= 1'b1;

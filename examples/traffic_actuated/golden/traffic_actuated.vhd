@@ -20,19 +20,28 @@ entity traffic_actuated_TON_PT20 is
 end entity traffic_actuated_TON_PT20;
 
 architecture rtl of traffic_actuated_TON_PT20 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(4 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal ET_is_20 : std_logic := '0';
+  signal condition : std_logic;
+  signal condition_2 : std_logic;
+  signal sum : unsigned(4 downto 0);
+  signal choice : unsigned(4 downto 0);
+  signal ET_next : unsigned(4 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
+  signal ET_is_20_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 20 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(ET_next) >= 20 else '0';
+  condition <= power and was;
+  condition_2 <= tick and not ET_is_20;
+  sum <= ET + 1;
+  choice <= sum when condition_2 = '1' else ET;
+  ET_next <= choice when condition = '1' else to_unsigned(0, 5);
+  equal <= '1' when ET = 19 else '0';
+  choice_2 <= equal when condition_2 = '1' else ET_is_20;
+  ET_is_20_next <= choice_2 when condition = '1' else '0';
 
-  Q <= power and at_least;
+  Q <= ET_is_20_next;
 
   process (clk)
   begin
@@ -40,9 +49,11 @@ begin
       if rst = '1' then
         ET <= (others => '0');
         was <= '0';
+        ET_is_20 <= '0';
       else
         ET <= ET_next;
         was <= power;
+        ET_is_20 <= ET_is_20_next;
       end if;
     end if;
   end process;
@@ -124,14 +135,14 @@ entity traffic_actuated is
 end entity traffic_actuated;
 
 architecture rtl of traffic_actuated is
-  signal interval : unsigned(15 downto 0) := to_unsigned(9, 16);
+  signal interval : unsigned(3 downto 0) := x"9";
   signal walk_soon_reg : std_logic := '0';
   signal turn_called : std_logic := '0';
   signal far_loop_before : std_logic := '0';
   signal on_the_way : std_logic := '0';
   signal near_loop_before : std_logic := '0';
   signal backed_up : std_logic := '0';
-  signal timer_PT : unsigned(31 downto 0) := (others => '0');
+  signal timer_PT : unsigned(6 downto 0) := (others => '0');
   signal ns_green_reg : std_logic := '0';
   signal ns_yellow_reg : std_logic := '0';
   signal ns_red_reg : std_logic := '1';
@@ -142,9 +153,9 @@ architecture rtl of traffic_actuated is
   signal ew_yellow_reg : std_logic := '0';
   signal ew_red_reg : std_logic := '1';
   signal walk_reg : std_logic := '0';
-  signal rung1_unequal : std_logic;
+  signal rung1_equal : std_logic;
   signal walk_soon_rung1 : std_logic;
-  signal rung2_unequal : std_logic;
+  signal rung2_equal : std_logic;
   signal turn_called_rung2 : std_logic;
   signal on_the_way_rung3 : std_logic;
   signal slow_Q : std_logic;
@@ -154,37 +165,37 @@ architecture rtl of traffic_actuated is
   signal rung6_equal : std_logic;
   signal rung6_equal_2 : std_logic;
   signal rung6_equal_3 : std_logic;
-  signal timer_PT_rung6 : unsigned(31 downto 0);
+  signal timer_PT_rung6 : unsigned(6 downto 0);
   signal rung7_equal : std_logic;
   signal rung7_equal_2 : std_logic;
   signal rung7_equal_3 : std_logic;
   signal rung7_equal_4 : std_logic;
-  signal timer_PT_rung7 : unsigned(31 downto 0);
+  signal timer_PT_rung7 : unsigned(6 downto 0);
   signal rung8_equal : std_logic;
-  signal timer_PT_rung8 : unsigned(31 downto 0);
-  signal rung9_equal : std_logic;
-  signal timer_PT_rung9 : unsigned(31 downto 0);
-  signal timer_PT_rung9_2 : unsigned(31 downto 0);
+  signal timer_PT_rung8 : unsigned(6 downto 0);
+  signal timer_PT_rung9 : unsigned(6 downto 0);
+  signal timer_PT_rung9_2 : unsigned(6 downto 0);
   signal rung10_equal : std_logic;
-  signal timer_PT_rung10 : unsigned(31 downto 0);
-  signal rung11_equal : std_logic;
-  signal timer_PT_next : unsigned(31 downto 0);
-  signal next_rung12 : unsigned(15 downto 0);
-  signal rung13_equal : std_logic;
-  signal next_rung13 : unsigned(15 downto 0);
-  signal rung14_equal : std_logic;
-  signal next_rung14 : unsigned(15 downto 0);
-  signal next_rung14_2 : unsigned(15 downto 0);
-  signal rung15_equal : std_logic;
-  signal next_u : unsigned(15 downto 0);
+  signal timer_PT_rung10 : unsigned(6 downto 0);
+  signal timer_PT_next : unsigned(6 downto 0);
+  signal timer_PT_2 : unsigned(31 downto 0);
+  signal next_rung12 : unsigned(3 downto 0);
+  signal rung13_power : std_logic;
+  signal next_rung13 : unsigned(3 downto 0);
+  signal rung14_power : std_logic;
+  signal next_rung14 : unsigned(3 downto 0);
+  signal rung14_power_2 : std_logic;
+  signal next_rung14_2 : unsigned(3 downto 0);
+  signal next_u : unsigned(3 downto 0);
   signal timer_Q : std_logic;
-  signal interval_next : unsigned(15 downto 0);
-  signal rung17_unequal : std_logic;
+  signal interval_next : unsigned(3 downto 0);
+  signal rung17_choice : std_logic;
   signal walk_soon_next : std_logic;
-  signal rung18_unequal : std_logic;
+  signal rung18_choice : std_logic;
   signal turn_called_next : std_logic;
-  signal rung19_unequal : std_logic;
+  signal rung19_choice : std_logic;
   signal backed_up_next : std_logic;
+  signal rung20_equal : std_logic;
   signal ns_green_next : std_logic;
   signal ns_yellow_next : std_logic;
   signal ns_red_next : std_logic;
@@ -198,12 +209,12 @@ architecture rtl of traffic_actuated is
 begin
 
   -- rung 1 "a pedestrian waits", traffic_actuated.ladder:34
-  rung1_unequal <= '1' when interval /= 10 else '0';
-  walk_soon_rung1 <= (walk_button and rung1_unequal) or walk_soon_reg;
+  rung1_equal <= '1' when interval = 10 else '0';
+  walk_soon_rung1 <= (walk_button and not rung1_equal) or walk_soon_reg;
 
   -- rung 2 "a car waits in the turn lane", traffic_actuated.ladder:37
-  rung2_unequal <= '1' when interval /= 4 else '0';
-  turn_called_rung2 <= ((far_loop or near_loop) and rung2_unequal) or turn_called;
+  rung2_equal <= '1' when interval = 4 else '0';
+  turn_called_rung2 <= ((far_loop or near_loop) and not rung2_equal) or turn_called;
 
   -- rung 3 "a car that needs two seconds from loop to loop stands in a queue", traffic_actuated.ladder:40
   on_the_way_rung3 <= (far_loop and not far_loop_before) or on_the_way;
@@ -228,7 +239,7 @@ begin
   rung6_equal_2 <= '1' when interval = 6 else '0';
   rung6_equal_3 <= '1' when interval = 9 else '0';
   timer_PT_rung6 <=
-      to_unsigned(10, 32) when (rung6_equal or rung6_equal_2 or rung6_equal_3) = '1' else timer_PT;
+      to_unsigned(10, 7) when (rung6_equal or rung6_equal_2 or rung6_equal_3) = '1' else timer_PT;
 
   -- rung 7, traffic_actuated.ladder:48
   rung7_equal <= '1' when interval = 2 else '0';
@@ -236,46 +247,42 @@ begin
   rung7_equal_3 <= '1' when interval = 8 else '0';
   rung7_equal_4 <= '1' when interval = 11 else '0';
   timer_PT_rung7 <=
-      to_unsigned(30, 32)
+      to_unsigned(30, 7)
       when (rung7_equal or rung7_equal_2 or rung7_equal_3 or rung7_equal_4) = '1'
       else timer_PT_rung6;
 
   -- rung 8, traffic_actuated.ladder:54
   rung8_equal <= '1' when interval = 1 else '0';
-  timer_PT_rung8 <= to_unsigned(120, 32) when rung8_equal = '1' else timer_PT_rung7;
+  timer_PT_rung8 <= "1111000" when rung8_equal = '1' else timer_PT_rung7;
 
   -- rung 9, traffic_actuated.ladder:55
-  rung9_equal <= '1' when interval = 4 else '0';
   timer_PT_rung9 <=
-      to_unsigned(60, 32) when (rung9_equal and not backed_up_rung5) = '1' else timer_PT_rung8;
-  timer_PT_rung9_2 <=
-      to_unsigned(120, 32) when (rung9_equal and backed_up_rung5) = '1' else timer_PT_rung9;
+      to_unsigned(60, 7) when (rung2_equal and not backed_up_rung5) = '1' else timer_PT_rung8;
+  timer_PT_rung9_2 <= "1111000" when (rung2_equal and backed_up_rung5) = '1' else timer_PT_rung9;
 
   -- rung 10, traffic_actuated.ladder:56
   rung10_equal <= '1' when interval = 7 else '0';
-  timer_PT_rung10 <= to_unsigned(100, 32) when rung10_equal = '1' else timer_PT_rung9_2;
+  timer_PT_rung10 <= "1100100" when rung10_equal = '1' else timer_PT_rung9_2;
 
   -- rung 11, traffic_actuated.ladder:57
-  rung11_equal <= '1' when interval = 10 else '0';
-  timer_PT_next <= to_unsigned(80, 32) when rung11_equal = '1' else timer_PT_rung10;
+  timer_PT_next <= "1010000" when rung1_equal = '1' else timer_PT_rung10;
+  timer_PT_2 <= resize(timer_PT_next, 32);
 
   -- rung 12 "which one comes next", traffic_actuated.ladder:59
   next_rung12 <= interval + 1;
 
   -- rung 13, traffic_actuated.ladder:61
-  rung13_equal <= '1' when interval = 3 else '0';
-  next_rung13 <=
-      to_unsigned(7, 16) when (rung13_equal and not turn_called_rung2) = '1' else next_rung12;
+  rung13_power <= rung6_equal and not turn_called_rung2;
+  next_rung13 <= to_unsigned(7, 4) when rung13_power = '1' else next_rung12;
 
   -- rung 14, traffic_actuated.ladder:62
-  rung14_equal <= '1' when interval = 9 else '0';
-  next_rung14 <= to_unsigned(10, 16) when (rung14_equal and walk_soon_rung1) = '1' else next_rung13;
-  next_rung14_2 <=
-      to_unsigned(1, 16) when (rung14_equal and not walk_soon_rung1) = '1' else next_rung14;
+  rung14_power <= rung6_equal_3 and walk_soon_rung1;
+  next_rung14 <= x"A" when rung14_power = '1' else next_rung13;
+  rung14_power_2 <= rung6_equal_3 and not walk_soon_rung1;
+  next_rung14_2 <= to_unsigned(1, 4) when rung14_power_2 = '1' else next_rung14;
 
   -- rung 15, traffic_actuated.ladder:63
-  rung15_equal <= '1' when interval = 11 else '0';
-  next_u <= to_unsigned(1, 16) when rung15_equal = '1' else next_rung14_2;
+  next_u <= to_unsigned(1, 4) when rung7_equal_4 = '1' else next_rung14_2;
 
   -- rung 16 "on to it", traffic_actuated.ladder:65
   timer: entity work.traffic_actuated_TON_power1
@@ -283,53 +290,83 @@ begin
       clk => clk,
       rst => rst,
       tick => tick,
-      PT => timer_PT_next,
+      PT => timer_PT_2,
       clear_after => timer_Q,
       Q => timer_Q
     );
   interval_next <= next_u when timer_Q = '1' else interval;
 
   -- rung 17 "who is served waits no more", traffic_actuated.ladder:68
-  rung17_unequal <= '1' when interval_next /= 10 else '0';
-  walk_soon_next <= walk_soon_rung1 and rung17_unequal;
+  rung17_choice <=
+      not rung7_equal_4 and not rung14_power_2
+       and (rung14_power or (not rung13_power and rung6_equal_3))
+      when timer_Q = '1' else rung1_equal;
+  walk_soon_next <= walk_soon_rung1 and not rung17_choice;
 
   -- rung 18, traffic_actuated.ladder:70
-  rung18_unequal <= '1' when interval_next /= 4 else '0';
-  turn_called_next <= turn_called_rung2 and rung18_unequal;
+  rung18_choice <=
+      not rung7_equal_4 and not rung14_power_2 and not rung14_power and not rung13_power
+       and rung6_equal
+      when timer_Q = '1' else rung2_equal;
+  turn_called_next <= turn_called_rung2 and not rung18_choice;
 
   -- rung 19, traffic_actuated.ladder:71
-  rung19_unequal <= '1' when interval_next /= 5 else '0';
-  backed_up_next <= backed_up_rung5 and rung19_unequal;
+  rung19_choice <=
+      not rung7_equal_4 and not rung14_power_2 and not rung14_power and not rung13_power
+       and rung2_equal
+      when timer_Q = '1' else rung7_equal_2;
+  backed_up_next <= backed_up_rung5 and not rung19_choice;
 
   -- rung 20 "north-south, straight on", traffic_actuated.ladder:73
-  ns_green_next <= '1' when interval_next = 1 else '0';
+  rung20_equal <= '1' when interval = 0 else '0';
+  ns_green_next <=
+      rung7_equal_4 or rung14_power_2 or (not rung14_power and not rung13_power and rung20_equal)
+      when timer_Q = '1' else rung8_equal;
 
   -- rung 21, traffic_actuated.ladder:75
-  ns_yellow_next <= '1' when interval_next = 2 else '0';
+  ns_yellow_next <=
+      not rung7_equal_4 and not rung14_power_2 and not rung14_power and not rung13_power
+       and rung8_equal
+      when timer_Q = '1' else rung7_equal;
 
   -- rung 22, traffic_actuated.ladder:76
   ns_red_next <= not ns_green_next and not ns_yellow_next;
 
   -- rung 23 "north-south, turning", traffic_actuated.ladder:78
-  turn_green_next <= '1' when interval_next = 4 else '0';
+  turn_green_next <=
+      not rung7_equal_4 and not rung14_power_2 and not rung14_power and not rung13_power
+       and rung6_equal
+      when timer_Q = '1' else rung2_equal;
 
   -- rung 24, traffic_actuated.ladder:80
-  turn_yellow_next <= '1' when interval_next = 5 else '0';
+  turn_yellow_next <=
+      not rung7_equal_4 and not rung14_power_2 and not rung14_power and not rung13_power
+       and rung2_equal
+      when timer_Q = '1' else rung7_equal_2;
 
   -- rung 25, traffic_actuated.ladder:81
   turn_red_next <= not turn_green_next and not turn_yellow_next;
 
   -- rung 26 "east-west", traffic_actuated.ladder:83
-  ew_green_next <= '1' when interval_next = 7 else '0';
+  ew_green_next <=
+      not rung7_equal_4 and not rung14_power_2 and not rung14_power
+       and (rung13_power or rung6_equal_2)
+      when timer_Q = '1' else rung10_equal;
 
   -- rung 27, traffic_actuated.ladder:85
-  ew_yellow_next <= '1' when interval_next = 8 else '0';
+  ew_yellow_next <=
+      not rung7_equal_4 and not rung14_power_2 and not rung14_power and not rung13_power
+       and rung10_equal
+      when timer_Q = '1' else rung7_equal_3;
 
   -- rung 28, traffic_actuated.ladder:86
   ew_red_next <= not ew_green_next and not ew_yellow_next;
 
   -- rung 29 "pedestrians", traffic_actuated.ladder:88
-  walk_next <= '1' when interval_next = 10 else '0';
+  walk_next <=
+      not rung7_equal_4 and not rung14_power_2
+       and (rung14_power or (not rung13_power and rung6_equal_3))
+      when timer_Q = '1' else rung1_equal;
 
   ns_green <= ns_green_reg;
   ns_yellow <= ns_yellow_reg;
@@ -347,7 +384,7 @@ begin
   begin
     if rising_edge(clk) then
       if rst = '1' then
-        interval <= to_unsigned(9, 16);
+        interval <= x"9";
         walk_soon_reg <= '0';
         turn_called <= '0';
         far_loop_before <= '0';

@@ -17,19 +17,20 @@ module traffic_lights_TON_power1_PT120 (
   input  wire clear_after,
   output wire Q
 );
-  reg [31:0] ET = 32'd0;
+  reg [6:0] ET = 7'd0;
   reg was = 1'b0;
 
-  wire less = $signed(ET) < 32'sd120;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] choice = was ? sum : 32'd0;
-  wire [31:0] ET_next = clear_after ? 32'd0 : choice;
+  wire equal = ET == 7'h78;
+  wire [6:0] sum = ET + {6'b0, tick & ~equal};
+  wire [6:0] choice = was ? sum : 7'd0;
+  wire equal_2 = ET == 7'h77;
+  wire [6:0] ET_next = clear_after ? 7'd0 : choice;
 
-  assign Q = $signed(choice) >= 32'sd120;
+  assign Q = was & (tick & equal_2 | equal);
 
   always @(posedge clk) begin
     if (rst) begin
-      ET <= 32'd0;
+      ET <= 7'd0;
       was <= 1'b0;
     end else begin
       ET <= ET_next;
@@ -50,23 +51,30 @@ module traffic_lights_TON_PT30 (
   input  wire power,
   output wire Q
 );
-  reg [31:0] ET = 32'd0;
+  reg [4:0] ET = 5'd0;
   reg was = 1'b0;
+  reg ET_is_30 = 1'b0;
 
-  wire less = $signed(ET) < 32'sd30;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] ET_next = (power & was) ? sum : 32'd0;
-  wire at_least = $signed(ET_next) >= 32'sd30;
+  wire condition = power & was;
+  wire condition_2 = tick & ~ET_is_30;
+  wire [4:0] sum = ET + 5'd1;
+  wire [4:0] choice = condition_2 ? sum : ET;
+  wire [4:0] ET_next = condition ? choice : 5'd0;
+  wire equal = ET == 5'h1d;
+  wire choice_2 = condition_2 ? equal : ET_is_30;
+  wire ET_is_30_next = condition ? choice_2 : 1'b0;
 
-  assign Q = power & at_least;
+  assign Q = ET_is_30_next;
 
   always @(posedge clk) begin
     if (rst) begin
-      ET <= 32'd0;
+      ET <= 5'd0;
       was <= 1'b0;
+      ET_is_30 <= 1'b0;
     end else begin
       ET <= ET_next;
       was <= power;
+      ET_is_30 <= ET_is_30_next;
     end
   end
 endmodule
@@ -83,23 +91,30 @@ module traffic_lights_TON_PT60 (
   input  wire power,
   output wire Q
 );
-  reg [31:0] ET = 32'd0;
+  reg [5:0] ET = 6'd0;
   reg was = 1'b0;
+  reg ET_is_60 = 1'b0;
 
-  wire less = $signed(ET) < 32'sd60;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] ET_next = (power & was) ? sum : 32'd0;
-  wire at_least = $signed(ET_next) >= 32'sd60;
+  wire condition = power & was;
+  wire condition_2 = tick & ~ET_is_60;
+  wire [5:0] sum = ET + 6'd1;
+  wire [5:0] choice = condition_2 ? sum : ET;
+  wire [5:0] ET_next = condition ? choice : 6'd0;
+  wire equal = ET == 6'h3b;
+  wire choice_2 = condition_2 ? equal : ET_is_60;
+  wire ET_is_60_next = condition ? choice_2 : 1'b0;
 
-  assign Q = power & at_least;
+  assign Q = ET_is_60_next;
 
   always @(posedge clk) begin
     if (rst) begin
-      ET <= 32'd0;
+      ET <= 6'd0;
       was <= 1'b0;
+      ET_is_60 <= 1'b0;
     end else begin
       ET <= ET_next;
       was <= power;
+      ET_is_60 <= ET_is_60_next;
     end
   end
 endmodule
@@ -116,23 +131,30 @@ module traffic_lights_TON_PT100 (
   input  wire power,
   output wire Q
 );
-  reg [31:0] ET = 32'd0;
+  reg [6:0] ET = 7'd0;
   reg was = 1'b0;
+  reg ET_is_100 = 1'b0;
 
-  wire less = $signed(ET) < 32'sd100;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] ET_next = (power & was) ? sum : 32'd0;
-  wire at_least = $signed(ET_next) >= 32'sd100;
+  wire condition = power & was;
+  wire condition_2 = tick & ~ET_is_100;
+  wire [6:0] sum = ET + 7'd1;
+  wire [6:0] choice = condition_2 ? sum : ET;
+  wire [6:0] ET_next = condition ? choice : 7'd0;
+  wire equal = ET == 7'h63;
+  wire choice_2 = condition_2 ? equal : ET_is_100;
+  wire ET_is_100_next = condition ? choice_2 : 1'b0;
 
-  assign Q = power & at_least;
+  assign Q = ET_is_100_next;
 
   always @(posedge clk) begin
     if (rst) begin
-      ET <= 32'd0;
+      ET <= 7'd0;
       was <= 1'b0;
+      ET_is_100 <= 1'b0;
     end else begin
       ET <= ET_next;
       was <= power;
+      ET_is_100 <= ET_is_100_next;
     end
   end
 endmodule
@@ -161,7 +183,7 @@ module traffic_lights (
   reg ew_yellow_reg = 1'b0;
   reg ew_red_reg = 1'b1;
 
-  // rung 1 "intervals 1 to 6", traffic_lights.ladder:12
+  // rung 1 "intervals 1 to 6", traffic_lights.ladder:13
   wire t1_Q;
   wire t2_Q;
   traffic_lights_TON_PT30 t2 (
@@ -212,31 +234,31 @@ module traffic_lights (
   );
   wire rung1_power = ~t6_Q & t1_Q;
 
-  // rung 2 "interval 1: north-south may go", traffic_lights.ladder:16
+  // rung 2 "interval 1: north-south may go", traffic_lights.ladder:17
   wire ns_green_next = ~rung1_power;
 
-  // rung 3 "interval 2", traffic_lights.ladder:18
+  // rung 3 "interval 2", traffic_lights.ladder:19
   wire ns_yellow_next = rung1_power & ~t2_Q;
 
-  // rung 4 "interval 3: north-south may turn", traffic_lights.ladder:20
+  // rung 4 "interval 3: north-south may turn", traffic_lights.ladder:21
   wire turn_green_next = t2_Q & ~t3_Q;
 
-  // rung 5 "interval 4", traffic_lights.ladder:22
+  // rung 5 "interval 4", traffic_lights.ladder:23
   wire turn_yellow_next = t3_Q & ~t4_Q;
 
-  // rung 6 "interval 5: east-west may go", traffic_lights.ladder:24
+  // rung 6 "interval 5: east-west may go", traffic_lights.ladder:25
   wire ew_green_next = t4_Q & ~t5_Q;
 
-  // rung 7 "interval 6", traffic_lights.ladder:26
+  // rung 7 "interval 6", traffic_lights.ladder:27
   wire ew_yellow_next = t5_Q & rung1_power;
 
-  // rung 8 "red whenever a lane has neither green nor yellow", traffic_lights.ladder:29
+  // rung 8 "red whenever a lane has neither green nor yellow", traffic_lights.ladder:30
   wire ns_red_next = rung1_power & ~ns_yellow_next;
 
-  // rung 9, traffic_lights.ladder:31
+  // rung 9, traffic_lights.ladder:32
   wire turn_red_next = ~turn_green_next & ~turn_yellow_next;
 
-  // rung 10, traffic_lights.ladder:32
+  // rung 10, traffic_lights.ladder:33
   wire ew_red_next = ~ew_green_next & ~ew_yellow_next;
 
   assign ns_green = ns_green_reg;

@@ -20,19 +20,21 @@ entity traffic_lights_TON_power1_PT120 is
 end entity traffic_lights_TON_power1_PT120;
 
 architecture rtl of traffic_lights_TON_power1_PT120 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(6 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal choice : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
+  signal equal : std_logic;
+  signal sum : unsigned(6 downto 0);
+  signal choice : unsigned(6 downto 0);
+  signal equal_2 : std_logic;
+  signal ET_next : unsigned(6 downto 0);
 begin
-  less <= '1' when signed(ET) < 120 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  choice <= sum when was = '1' else to_unsigned(0, 32);
-  ET_next <= to_unsigned(0, 32) when clear_after = '1' else choice;
+  equal <= '1' when ET = 120 else '0';
+  sum <= ET + (to_unsigned(0, 6) & (tick and not equal));
+  choice <= sum when was = '1' else to_unsigned(0, 7);
+  equal_2 <= '1' when ET = 119 else '0';
+  ET_next <= to_unsigned(0, 7) when clear_after = '1' else choice;
 
-  Q <= '1' when signed(choice) >= 120 else '0';
+  Q <= was and ((tick and equal_2) or equal);
 
   process (clk)
   begin
@@ -68,19 +70,28 @@ entity traffic_lights_TON_PT30 is
 end entity traffic_lights_TON_PT30;
 
 architecture rtl of traffic_lights_TON_PT30 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(4 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal ET_is_30 : std_logic := '0';
+  signal condition : std_logic;
+  signal condition_2 : std_logic;
+  signal sum : unsigned(4 downto 0);
+  signal choice : unsigned(4 downto 0);
+  signal ET_next : unsigned(4 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
+  signal ET_is_30_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 30 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(ET_next) >= 30 else '0';
+  condition <= power and was;
+  condition_2 <= tick and not ET_is_30;
+  sum <= ET + 1;
+  choice <= sum when condition_2 = '1' else ET;
+  ET_next <= choice when condition = '1' else to_unsigned(0, 5);
+  equal <= '1' when ET = 29 else '0';
+  choice_2 <= equal when condition_2 = '1' else ET_is_30;
+  ET_is_30_next <= choice_2 when condition = '1' else '0';
 
-  Q <= power and at_least;
+  Q <= ET_is_30_next;
 
   process (clk)
   begin
@@ -88,9 +99,11 @@ begin
       if rst = '1' then
         ET <= (others => '0');
         was <= '0';
+        ET_is_30 <= '0';
       else
         ET <= ET_next;
         was <= power;
+        ET_is_30 <= ET_is_30_next;
       end if;
     end if;
   end process;
@@ -116,19 +129,28 @@ entity traffic_lights_TON_PT60 is
 end entity traffic_lights_TON_PT60;
 
 architecture rtl of traffic_lights_TON_PT60 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(5 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal ET_is_60 : std_logic := '0';
+  signal condition : std_logic;
+  signal condition_2 : std_logic;
+  signal sum : unsigned(5 downto 0);
+  signal choice : unsigned(5 downto 0);
+  signal ET_next : unsigned(5 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
+  signal ET_is_60_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 60 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(ET_next) >= 60 else '0';
+  condition <= power and was;
+  condition_2 <= tick and not ET_is_60;
+  sum <= ET + 1;
+  choice <= sum when condition_2 = '1' else ET;
+  ET_next <= choice when condition = '1' else to_unsigned(0, 6);
+  equal <= '1' when ET = 59 else '0';
+  choice_2 <= equal when condition_2 = '1' else ET_is_60;
+  ET_is_60_next <= choice_2 when condition = '1' else '0';
 
-  Q <= power and at_least;
+  Q <= ET_is_60_next;
 
   process (clk)
   begin
@@ -136,9 +158,11 @@ begin
       if rst = '1' then
         ET <= (others => '0');
         was <= '0';
+        ET_is_60 <= '0';
       else
         ET <= ET_next;
         was <= power;
+        ET_is_60 <= ET_is_60_next;
       end if;
     end if;
   end process;
@@ -164,19 +188,28 @@ entity traffic_lights_TON_PT100 is
 end entity traffic_lights_TON_PT100;
 
 architecture rtl of traffic_lights_TON_PT100 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(6 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal ET_is_100 : std_logic := '0';
+  signal condition : std_logic;
+  signal condition_2 : std_logic;
+  signal sum : unsigned(6 downto 0);
+  signal choice : unsigned(6 downto 0);
+  signal ET_next : unsigned(6 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
+  signal ET_is_100_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 100 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(ET_next) >= 100 else '0';
+  condition <= power and was;
+  condition_2 <= tick and not ET_is_100;
+  sum <= ET + 1;
+  choice <= sum when condition_2 = '1' else ET;
+  ET_next <= choice when condition = '1' else to_unsigned(0, 7);
+  equal <= '1' when ET = 99 else '0';
+  choice_2 <= equal when condition_2 = '1' else ET_is_100;
+  ET_is_100_next <= choice_2 when condition = '1' else '0';
 
-  Q <= power and at_least;
+  Q <= ET_is_100_next;
 
   process (clk)
   begin
@@ -184,9 +217,11 @@ begin
       if rst = '1' then
         ET <= (others => '0');
         was <= '0';
+        ET_is_100 <= '0';
       else
         ET <= ET_next;
         was <= power;
+        ET_is_100 <= ET_is_100_next;
       end if;
     end if;
   end process;
@@ -241,7 +276,7 @@ architecture rtl of traffic_lights is
   signal ew_red_next : std_logic;
 begin
 
-  -- rung 1 "intervals 1 to 6", traffic_lights.ladder:12
+  -- rung 1 "intervals 1 to 6", traffic_lights.ladder:13
   t2: entity work.traffic_lights_TON_PT30
     port map (
       clk => clk,
@@ -292,31 +327,31 @@ begin
     );
   rung1_power <= not t6_Q and t1_Q;
 
-  -- rung 2 "interval 1: north-south may go", traffic_lights.ladder:16
+  -- rung 2 "interval 1: north-south may go", traffic_lights.ladder:17
   ns_green_next <= not rung1_power;
 
-  -- rung 3 "interval 2", traffic_lights.ladder:18
+  -- rung 3 "interval 2", traffic_lights.ladder:19
   ns_yellow_next <= rung1_power and not t2_Q;
 
-  -- rung 4 "interval 3: north-south may turn", traffic_lights.ladder:20
+  -- rung 4 "interval 3: north-south may turn", traffic_lights.ladder:21
   turn_green_next <= t2_Q and not t3_Q;
 
-  -- rung 5 "interval 4", traffic_lights.ladder:22
+  -- rung 5 "interval 4", traffic_lights.ladder:23
   turn_yellow_next <= t3_Q and not t4_Q;
 
-  -- rung 6 "interval 5: east-west may go", traffic_lights.ladder:24
+  -- rung 6 "interval 5: east-west may go", traffic_lights.ladder:25
   ew_green_next <= t4_Q and not t5_Q;
 
-  -- rung 7 "interval 6", traffic_lights.ladder:26
+  -- rung 7 "interval 6", traffic_lights.ladder:27
   ew_yellow_next <= t5_Q and rung1_power;
 
-  -- rung 8 "red whenever a lane has neither green nor yellow", traffic_lights.ladder:29
+  -- rung 8 "red whenever a lane has neither green nor yellow", traffic_lights.ladder:30
   ns_red_next <= rung1_power and not ns_yellow_next;
 
-  -- rung 9, traffic_lights.ladder:31
+  -- rung 9, traffic_lights.ladder:32
   turn_red_next <= not turn_green_next and not turn_yellow_next;
 
-  -- rung 10, traffic_lights.ladder:32
+  -- rung 10, traffic_lights.ladder:33
   ew_red_next <= not ew_green_next and not ew_yellow_next;
 
   ns_green <= ns_green_reg;

@@ -12,27 +12,28 @@
 // Q   ____####__________
 // ET  001233330001200010
 module traffic_lights_test_TON_power1_PT120 (
-  input  wire        clk,
-  input  wire        rst,
-  input  wire        tick,
-  input  wire        clear_after,
-  output wire        Q,
-  output wire [31:0] ET_last
+  input  wire       clk,
+  input  wire       rst,
+  input  wire       tick,
+  input  wire       clear_after,
+  output wire       Q,
+  output wire [6:0] ET_last
 );
-  reg [31:0] ET = 32'd0;
+  reg [6:0] ET = 7'd0;
   reg was = 1'b0;
 
-  wire less = $signed(ET) < 32'sd120;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] choice = was ? sum : 32'd0;
-  wire [31:0] ET_next = clear_after ? 32'd0 : choice;
+  wire equal = ET == 7'h78;
+  wire [6:0] sum = ET + {6'b0, tick & ~equal};
+  wire [6:0] choice = was ? sum : 7'd0;
+  wire equal_2 = ET == 7'h77;
+  wire [6:0] ET_next = clear_after ? 7'd0 : choice;
 
-  assign Q = $signed(choice) >= 32'sd120;
+  assign Q = was & (tick & equal_2 | equal);
   assign ET_last = ET;
 
   always @(posedge clk) begin
     if (rst) begin
-      ET <= 32'd0;
+      ET <= 7'd0;
       was <= 1'b0;
     end else begin
       ET <= ET_next;
@@ -53,23 +54,30 @@ module traffic_lights_test_TON_PT30 (
   input  wire power,
   output wire Q
 );
-  reg [31:0] ET = 32'd0;
+  reg [4:0] ET = 5'd0;
   reg was = 1'b0;
+  reg ET_is_30 = 1'b0;
 
-  wire less = $signed(ET) < 32'sd30;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] ET_next = (power & was) ? sum : 32'd0;
-  wire at_least = $signed(ET_next) >= 32'sd30;
+  wire condition = power & was;
+  wire condition_2 = tick & ~ET_is_30;
+  wire [4:0] sum = ET + 5'd1;
+  wire [4:0] choice = condition_2 ? sum : ET;
+  wire [4:0] ET_next = condition ? choice : 5'd0;
+  wire equal = ET == 5'h1d;
+  wire choice_2 = condition_2 ? equal : ET_is_30;
+  wire ET_is_30_next = condition ? choice_2 : 1'b0;
 
-  assign Q = power & at_least;
+  assign Q = ET_is_30_next;
 
   always @(posedge clk) begin
     if (rst) begin
-      ET <= 32'd0;
+      ET <= 5'd0;
       was <= 1'b0;
+      ET_is_30 <= 1'b0;
     end else begin
       ET <= ET_next;
       was <= power;
+      ET_is_30 <= ET_is_30_next;
     end
   end
 endmodule
@@ -86,23 +94,30 @@ module traffic_lights_test_TON_PT60 (
   input  wire power,
   output wire Q
 );
-  reg [31:0] ET = 32'd0;
+  reg [5:0] ET = 6'd0;
   reg was = 1'b0;
+  reg ET_is_60 = 1'b0;
 
-  wire less = $signed(ET) < 32'sd60;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] ET_next = (power & was) ? sum : 32'd0;
-  wire at_least = $signed(ET_next) >= 32'sd60;
+  wire condition = power & was;
+  wire condition_2 = tick & ~ET_is_60;
+  wire [5:0] sum = ET + 6'd1;
+  wire [5:0] choice = condition_2 ? sum : ET;
+  wire [5:0] ET_next = condition ? choice : 6'd0;
+  wire equal = ET == 6'h3b;
+  wire choice_2 = condition_2 ? equal : ET_is_60;
+  wire ET_is_60_next = condition ? choice_2 : 1'b0;
 
-  assign Q = power & at_least;
+  assign Q = ET_is_60_next;
 
   always @(posedge clk) begin
     if (rst) begin
-      ET <= 32'd0;
+      ET <= 6'd0;
       was <= 1'b0;
+      ET_is_60 <= 1'b0;
     end else begin
       ET <= ET_next;
       was <= power;
+      ET_is_60 <= ET_is_60_next;
     end
   end
 endmodule
@@ -119,23 +134,30 @@ module traffic_lights_test_TON_PT100 (
   input  wire power,
   output wire Q
 );
-  reg [31:0] ET = 32'd0;
+  reg [6:0] ET = 7'd0;
   reg was = 1'b0;
+  reg ET_is_100 = 1'b0;
 
-  wire less = $signed(ET) < 32'sd100;
-  wire [31:0] sum = ET + {31'b0, tick & less};
-  wire [31:0] ET_next = (power & was) ? sum : 32'd0;
-  wire at_least = $signed(ET_next) >= 32'sd100;
+  wire condition = power & was;
+  wire condition_2 = tick & ~ET_is_100;
+  wire [6:0] sum = ET + 7'd1;
+  wire [6:0] choice = condition_2 ? sum : ET;
+  wire [6:0] ET_next = condition ? choice : 7'd0;
+  wire equal = ET == 7'h63;
+  wire choice_2 = condition_2 ? equal : ET_is_100;
+  wire ET_is_100_next = condition ? choice_2 : 1'b0;
 
-  assign Q = power & at_least;
+  assign Q = ET_is_100_next;
 
   always @(posedge clk) begin
     if (rst) begin
-      ET <= 32'd0;
+      ET <= 7'd0;
       was <= 1'b0;
+      ET_is_100 <= 1'b0;
     end else begin
       ET <= ET_next;
       was <= power;
+      ET_is_100 <= ET_is_100_next;
     end
   end
 endmodule
@@ -165,9 +187,9 @@ module traffic_lights_test (
   reg ew_yellow_reg = 1'b0;
   reg ew_red_reg = 1'b1;
 
-  // rung 1 "intervals 1 to 6", traffic_lights.ladder:12
+  // rung 1 "intervals 1 to 6", traffic_lights.ladder:13
   wire t1_Q;
-  wire [31:0] t1_ET_last;
+  wire [6:0] t1_ET_last;
   wire t2_Q;
   traffic_lights_test_TON_PT30 t2 (
     .clk(clk),
@@ -218,32 +240,33 @@ module traffic_lights_test (
   );
   wire rung1_power = ~t6_Q & t1_Q;
 
-  // rung 2 "interval 1: north-south may go", traffic_lights.ladder:16
+  // rung 2 "interval 1: north-south may go", traffic_lights.ladder:17
   wire ns_green_next = ~rung1_power;
 
-  // rung 3 "interval 2", traffic_lights.ladder:18
+  // rung 3 "interval 2", traffic_lights.ladder:19
   wire ns_yellow_next = rung1_power & ~t2_Q;
 
-  // rung 4 "interval 3: north-south may turn", traffic_lights.ladder:20
+  // rung 4 "interval 3: north-south may turn", traffic_lights.ladder:21
   wire turn_green_next = t2_Q & ~t3_Q;
 
-  // rung 5 "interval 4", traffic_lights.ladder:22
+  // rung 5 "interval 4", traffic_lights.ladder:23
   wire turn_yellow_next = t3_Q & ~t4_Q;
 
-  // rung 6 "interval 5: east-west may go", traffic_lights.ladder:24
+  // rung 6 "interval 5: east-west may go", traffic_lights.ladder:25
   wire ew_green_next = t4_Q & ~t5_Q;
 
-  // rung 7 "interval 6", traffic_lights.ladder:26
+  // rung 7 "interval 6", traffic_lights.ladder:27
   wire ew_yellow_next = t5_Q & rung1_power;
 
-  // rung 8 "red whenever a lane has neither green nor yellow", traffic_lights.ladder:29
+  // rung 8 "red whenever a lane has neither green nor yellow", traffic_lights.ladder:30
   wire ns_red_next = rung1_power & ~ns_yellow_next;
 
-  // rung 9, traffic_lights.ladder:31
+  // rung 9, traffic_lights.ladder:32
   wire turn_red_next = ~turn_green_next & ~turn_yellow_next;
 
-  // rung 10, traffic_lights.ladder:32
+  // rung 10, traffic_lights.ladder:33
   wire ew_red_next = ~ew_green_next & ~ew_yellow_next;
+  wire [31:0] t1_ET_value = {25'b0, t1_ET_last};
 
   assign ns_green = ns_green_reg;
   assign ns_yellow = ns_yellow_reg;
@@ -254,7 +277,7 @@ module traffic_lights_test (
   assign ew_green = ew_green_reg;
   assign ew_yellow = ew_yellow_reg;
   assign ew_red = ew_red_reg;
-  assign t1_ET = t1_ET_last;
+  assign t1_ET = t1_ET_value;
 
   always @(posedge clk) begin
     if (rst) begin
@@ -593,9 +616,9 @@ module traffic_lights_tb;
     // all lanes are red before the first scan
     failed = 1'b0;
     reset;
-    #1 if (!failed && &expect_0 !== 1'b1) begin // traffic_lights.ladder:35
+    #1 if (!failed && &expect_0 !== 1'b1) begin // traffic_lights.ladder:36
       failed = 1'b1;
-      $display("# failed expectation 0 conducts %b ns_red=%b turn_red=%b ew_red=%b at %0s", expect_0, ns_red, turn_red, ew_red, "traffic_lights.ladder:35");
+      $display("# failed expectation 0 conducts %b ns_red=%b turn_red=%b ew_red=%b at %0s", expect_0, ns_red, turn_red, ew_red, "traffic_lights.ladder:36");
     end
     if (failed) begin
       failures = failures + 1;
@@ -607,64 +630,64 @@ module traffic_lights_tb;
     reset;
     scan(1, 1'b0);
     repeat (3) begin
-      #1 if (!failed && &expect_1 !== 1'b1) begin // traffic_lights.ladder:40
+      #1 if (!failed && &expect_1 !== 1'b1) begin // traffic_lights.ladder:41
         failed = 1'b1;
-        $display("# failed expectation 1 conducts %b ns_green=%b turn_red=%b ew_red=%b at %0s", expect_1, ns_green, turn_red, ew_red, "traffic_lights.ladder:40");
+        $display("# failed expectation 1 conducts %b ns_green=%b turn_red=%b ew_red=%b at %0s", expect_1, ns_green, turn_red, ew_red, "traffic_lights.ladder:41");
       end
       scan(119, 1'b1);
-      #1 if (!failed && &expect_2 !== 1'b1) begin // traffic_lights.ladder:42
+      #1 if (!failed && &expect_2 !== 1'b1) begin // traffic_lights.ladder:43
         failed = 1'b1;
-        $display("# failed expectation 2 conducts %b ns_green=%b turn_red=%b ew_red=%b at %0s", expect_2, ns_green, turn_red, ew_red, "traffic_lights.ladder:42");
+        $display("# failed expectation 2 conducts %b ns_green=%b turn_red=%b ew_red=%b at %0s", expect_2, ns_green, turn_red, ew_red, "traffic_lights.ladder:43");
       end
       scan(1, 1'b1);
-      #1 if (!failed && &expect_3 !== 1'b1) begin // traffic_lights.ladder:44
+      #1 if (!failed && &expect_3 !== 1'b1) begin // traffic_lights.ladder:45
         failed = 1'b1;
-        $display("# failed expectation 3 conducts %b ns_yellow=%b turn_red=%b ew_red=%b at %0s", expect_3, ns_yellow, turn_red, ew_red, "traffic_lights.ladder:44");
+        $display("# failed expectation 3 conducts %b ns_yellow=%b turn_red=%b ew_red=%b at %0s", expect_3, ns_yellow, turn_red, ew_red, "traffic_lights.ladder:45");
       end
       scan(29, 1'b1);
-      #1 if (!failed && &expect_4 !== 1'b1) begin // traffic_lights.ladder:46
+      #1 if (!failed && &expect_4 !== 1'b1) begin // traffic_lights.ladder:47
         failed = 1'b1;
-        $display("# failed expectation 4 conducts %b ns_yellow=%b turn_red=%b ew_red=%b at %0s", expect_4, ns_yellow, turn_red, ew_red, "traffic_lights.ladder:46");
+        $display("# failed expectation 4 conducts %b ns_yellow=%b turn_red=%b ew_red=%b at %0s", expect_4, ns_yellow, turn_red, ew_red, "traffic_lights.ladder:47");
       end
       scan(1, 1'b1);
-      #1 if (!failed && &expect_5 !== 1'b1) begin // traffic_lights.ladder:48
+      #1 if (!failed && &expect_5 !== 1'b1) begin // traffic_lights.ladder:49
         failed = 1'b1;
-        $display("# failed expectation 5 conducts %b ns_red=%b turn_green=%b ew_red=%b at %0s", expect_5, ns_red, turn_green, ew_red, "traffic_lights.ladder:48");
+        $display("# failed expectation 5 conducts %b ns_red=%b turn_green=%b ew_red=%b at %0s", expect_5, ns_red, turn_green, ew_red, "traffic_lights.ladder:49");
       end
       scan(59, 1'b1);
-      #1 if (!failed && &expect_6 !== 1'b1) begin // traffic_lights.ladder:50
+      #1 if (!failed && &expect_6 !== 1'b1) begin // traffic_lights.ladder:51
         failed = 1'b1;
-        $display("# failed expectation 6 conducts %b ns_red=%b turn_green=%b ew_red=%b at %0s", expect_6, ns_red, turn_green, ew_red, "traffic_lights.ladder:50");
+        $display("# failed expectation 6 conducts %b ns_red=%b turn_green=%b ew_red=%b at %0s", expect_6, ns_red, turn_green, ew_red, "traffic_lights.ladder:51");
       end
       scan(1, 1'b1);
-      #1 if (!failed && &expect_7 !== 1'b1) begin // traffic_lights.ladder:52
+      #1 if (!failed && &expect_7 !== 1'b1) begin // traffic_lights.ladder:53
         failed = 1'b1;
-        $display("# failed expectation 7 conducts %b ns_red=%b turn_yellow=%b ew_red=%b at %0s", expect_7, ns_red, turn_yellow, ew_red, "traffic_lights.ladder:52");
+        $display("# failed expectation 7 conducts %b ns_red=%b turn_yellow=%b ew_red=%b at %0s", expect_7, ns_red, turn_yellow, ew_red, "traffic_lights.ladder:53");
       end
       scan(29, 1'b1);
-      #1 if (!failed && &expect_8 !== 1'b1) begin // traffic_lights.ladder:54
+      #1 if (!failed && &expect_8 !== 1'b1) begin // traffic_lights.ladder:55
         failed = 1'b1;
-        $display("# failed expectation 8 conducts %b ns_red=%b turn_yellow=%b ew_red=%b at %0s", expect_8, ns_red, turn_yellow, ew_red, "traffic_lights.ladder:54");
+        $display("# failed expectation 8 conducts %b ns_red=%b turn_yellow=%b ew_red=%b at %0s", expect_8, ns_red, turn_yellow, ew_red, "traffic_lights.ladder:55");
       end
       scan(1, 1'b1);
-      #1 if (!failed && &expect_9 !== 1'b1) begin // traffic_lights.ladder:56
+      #1 if (!failed && &expect_9 !== 1'b1) begin // traffic_lights.ladder:57
         failed = 1'b1;
-        $display("# failed expectation 9 conducts %b ns_red=%b turn_red=%b ew_green=%b at %0s", expect_9, ns_red, turn_red, ew_green, "traffic_lights.ladder:56");
+        $display("# failed expectation 9 conducts %b ns_red=%b turn_red=%b ew_green=%b at %0s", expect_9, ns_red, turn_red, ew_green, "traffic_lights.ladder:57");
       end
       scan(99, 1'b1);
-      #1 if (!failed && &expect_10 !== 1'b1) begin // traffic_lights.ladder:58
+      #1 if (!failed && &expect_10 !== 1'b1) begin // traffic_lights.ladder:59
         failed = 1'b1;
-        $display("# failed expectation 10 conducts %b ns_red=%b turn_red=%b ew_green=%b at %0s", expect_10, ns_red, turn_red, ew_green, "traffic_lights.ladder:58");
+        $display("# failed expectation 10 conducts %b ns_red=%b turn_red=%b ew_green=%b at %0s", expect_10, ns_red, turn_red, ew_green, "traffic_lights.ladder:59");
       end
       scan(1, 1'b1);
-      #1 if (!failed && &expect_11 !== 1'b1) begin // traffic_lights.ladder:60
+      #1 if (!failed && &expect_11 !== 1'b1) begin // traffic_lights.ladder:61
         failed = 1'b1;
-        $display("# failed expectation 11 conducts %b ns_red=%b turn_red=%b ew_yellow=%b at %0s", expect_11, ns_red, turn_red, ew_yellow, "traffic_lights.ladder:60");
+        $display("# failed expectation 11 conducts %b ns_red=%b turn_red=%b ew_yellow=%b at %0s", expect_11, ns_red, turn_red, ew_yellow, "traffic_lights.ladder:61");
       end
       scan(29, 1'b1);
-      #1 if (!failed && &expect_12 !== 1'b1) begin // traffic_lights.ladder:62
+      #1 if (!failed && &expect_12 !== 1'b1) begin // traffic_lights.ladder:63
         failed = 1'b1;
-        $display("# failed expectation 12 conducts %b ns_red=%b turn_red=%b ew_yellow=%b at %0s", expect_12, ns_red, turn_red, ew_yellow, "traffic_lights.ladder:62");
+        $display("# failed expectation 12 conducts %b ns_red=%b turn_red=%b ew_yellow=%b at %0s", expect_12, ns_red, turn_red, ew_yellow, "traffic_lights.ladder:63");
       end
       scan(1, 1'b1);
     end
@@ -678,21 +701,21 @@ module traffic_lights_tb;
     reset;
     scan(1, 1'b0);
     repeat (400) begin
-      #1 if (!failed && &expect_13 !== 1'b1) begin // traffic_lights.ladder:69
+      #1 if (!failed && &expect_13 !== 1'b1) begin // traffic_lights.ladder:70
         failed = 1'b1;
-        $display("# failed expectation 13 conducts %b ns_red=%b turn_red=%b ew_red=%b at %0s", expect_13, ns_red, turn_red, ew_red, "traffic_lights.ladder:69");
+        $display("# failed expectation 13 conducts %b ns_red=%b turn_red=%b ew_red=%b at %0s", expect_13, ns_red, turn_red, ew_red, "traffic_lights.ladder:70");
       end
-      #1 if (!failed && &expect_14 !== 1'b1) begin // traffic_lights.ladder:70
+      #1 if (!failed && &expect_14 !== 1'b1) begin // traffic_lights.ladder:71
         failed = 1'b1;
-        $display("# failed expectation 14 conducts %b ns_green=%b ns_yellow=%b ns_red=%b at %0s", expect_14, ns_green, ns_yellow, ns_red, "traffic_lights.ladder:70");
+        $display("# failed expectation 14 conducts %b ns_green=%b ns_yellow=%b ns_red=%b at %0s", expect_14, ns_green, ns_yellow, ns_red, "traffic_lights.ladder:71");
       end
-      #1 if (!failed && &expect_15 !== 1'b1) begin // traffic_lights.ladder:75
+      #1 if (!failed && &expect_15 !== 1'b1) begin // traffic_lights.ladder:76
         failed = 1'b1;
-        $display("# failed expectation 15 conducts %b turn_green=%b turn_yellow=%b turn_red=%b at %0s", expect_15, turn_green, turn_yellow, turn_red, "traffic_lights.ladder:75");
+        $display("# failed expectation 15 conducts %b turn_green=%b turn_yellow=%b turn_red=%b at %0s", expect_15, turn_green, turn_yellow, turn_red, "traffic_lights.ladder:76");
       end
-      #1 if (!failed && &expect_16 !== 1'b1) begin // traffic_lights.ladder:80
+      #1 if (!failed && &expect_16 !== 1'b1) begin // traffic_lights.ladder:81
         failed = 1'b1;
-        $display("# failed expectation 16 conducts %b ew_green=%b ew_yellow=%b ew_red=%b at %0s", expect_16, ew_green, ew_yellow, ew_red, "traffic_lights.ladder:80");
+        $display("# failed expectation 16 conducts %b ew_green=%b ew_yellow=%b ew_red=%b at %0s", expect_16, ew_green, ew_yellow, ew_red, "traffic_lights.ladder:81");
       end
       scan(1, 1'b1);
     end
@@ -706,15 +729,15 @@ module traffic_lights_tb;
     reset;
     scan(1, 1'b0);
     repeat (5) begin
-      #1 if (!failed && &expect_17 !== 1'b1) begin // traffic_lights.ladder:91
+      #1 if (!failed && &expect_17 !== 1'b1) begin // traffic_lights.ladder:92
         failed = 1'b1;
-        $display("# failed expectation 17 conducts %b ns_green=%b t1_ET=%b at %0s", expect_17, ns_green, t1_ET, "traffic_lights.ladder:91");
+        $display("# failed expectation 17 conducts %b ns_green=%b t1_ET=%b at %0s", expect_17, ns_green, t1_ET, "traffic_lights.ladder:92");
       end
       scan(370, 1'b1);
     end
-    #1 if (!failed && &expect_18 !== 1'b1) begin // traffic_lights.ladder:94
+    #1 if (!failed && &expect_18 !== 1'b1) begin // traffic_lights.ladder:95
       failed = 1'b1;
-      $display("# failed expectation 18 conducts %b ns_green=%b at %0s", expect_18, ns_green, "traffic_lights.ladder:94");
+      $display("# failed expectation 18 conducts %b ns_green=%b at %0s", expect_18, ns_green, "traffic_lights.ladder:95");
     end
     if (failed) begin
       failures = failures + 1;

@@ -19,24 +19,26 @@ entity traffic_lights_test_TON_power1_PT120 is
     tick        : in  std_logic;
     clear_after : in  std_logic;
     Q           : out std_logic;
-    ET_last     : out unsigned(31 downto 0)
+    ET_last     : out unsigned(6 downto 0)
   );
 end entity traffic_lights_test_TON_power1_PT120;
 
 architecture rtl of traffic_lights_test_TON_power1_PT120 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(6 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal choice : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
+  signal equal : std_logic;
+  signal sum : unsigned(6 downto 0);
+  signal choice : unsigned(6 downto 0);
+  signal equal_2 : std_logic;
+  signal ET_next : unsigned(6 downto 0);
 begin
-  less <= '1' when signed(ET) < 120 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  choice <= sum when was = '1' else to_unsigned(0, 32);
-  ET_next <= to_unsigned(0, 32) when clear_after = '1' else choice;
+  equal <= '1' when ET = 120 else '0';
+  sum <= ET + (to_unsigned(0, 6) & (tick and not equal));
+  choice <= sum when was = '1' else to_unsigned(0, 7);
+  equal_2 <= '1' when ET = 119 else '0';
+  ET_next <= to_unsigned(0, 7) when clear_after = '1' else choice;
 
-  Q <= '1' when signed(choice) >= 120 else '0';
+  Q <= was and ((tick and equal_2) or equal);
   ET_last <= ET;
 
   process (clk)
@@ -73,19 +75,28 @@ entity traffic_lights_test_TON_PT30 is
 end entity traffic_lights_test_TON_PT30;
 
 architecture rtl of traffic_lights_test_TON_PT30 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(4 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal ET_is_30 : std_logic := '0';
+  signal condition : std_logic;
+  signal condition_2 : std_logic;
+  signal sum : unsigned(4 downto 0);
+  signal choice : unsigned(4 downto 0);
+  signal ET_next : unsigned(4 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
+  signal ET_is_30_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 30 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(ET_next) >= 30 else '0';
+  condition <= power and was;
+  condition_2 <= tick and not ET_is_30;
+  sum <= ET + 1;
+  choice <= sum when condition_2 = '1' else ET;
+  ET_next <= choice when condition = '1' else to_unsigned(0, 5);
+  equal <= '1' when ET = 29 else '0';
+  choice_2 <= equal when condition_2 = '1' else ET_is_30;
+  ET_is_30_next <= choice_2 when condition = '1' else '0';
 
-  Q <= power and at_least;
+  Q <= ET_is_30_next;
 
   process (clk)
   begin
@@ -93,9 +104,11 @@ begin
       if rst = '1' then
         ET <= (others => '0');
         was <= '0';
+        ET_is_30 <= '0';
       else
         ET <= ET_next;
         was <= power;
+        ET_is_30 <= ET_is_30_next;
       end if;
     end if;
   end process;
@@ -121,19 +134,28 @@ entity traffic_lights_test_TON_PT60 is
 end entity traffic_lights_test_TON_PT60;
 
 architecture rtl of traffic_lights_test_TON_PT60 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(5 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal ET_is_60 : std_logic := '0';
+  signal condition : std_logic;
+  signal condition_2 : std_logic;
+  signal sum : unsigned(5 downto 0);
+  signal choice : unsigned(5 downto 0);
+  signal ET_next : unsigned(5 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
+  signal ET_is_60_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 60 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(ET_next) >= 60 else '0';
+  condition <= power and was;
+  condition_2 <= tick and not ET_is_60;
+  sum <= ET + 1;
+  choice <= sum when condition_2 = '1' else ET;
+  ET_next <= choice when condition = '1' else to_unsigned(0, 6);
+  equal <= '1' when ET = 59 else '0';
+  choice_2 <= equal when condition_2 = '1' else ET_is_60;
+  ET_is_60_next <= choice_2 when condition = '1' else '0';
 
-  Q <= power and at_least;
+  Q <= ET_is_60_next;
 
   process (clk)
   begin
@@ -141,9 +163,11 @@ begin
       if rst = '1' then
         ET <= (others => '0');
         was <= '0';
+        ET_is_60 <= '0';
       else
         ET <= ET_next;
         was <= power;
+        ET_is_60 <= ET_is_60_next;
       end if;
     end if;
   end process;
@@ -169,19 +193,28 @@ entity traffic_lights_test_TON_PT100 is
 end entity traffic_lights_test_TON_PT100;
 
 architecture rtl of traffic_lights_test_TON_PT100 is
-  signal ET : unsigned(31 downto 0) := (others => '0');
+  signal ET : unsigned(6 downto 0) := (others => '0');
   signal was : std_logic := '0';
-  signal less : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal ET_next : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal ET_is_100 : std_logic := '0';
+  signal condition : std_logic;
+  signal condition_2 : std_logic;
+  signal sum : unsigned(6 downto 0);
+  signal choice : unsigned(6 downto 0);
+  signal ET_next : unsigned(6 downto 0);
+  signal equal : std_logic;
+  signal choice_2 : std_logic;
+  signal ET_is_100_next : std_logic;
 begin
-  less <= '1' when signed(ET) < 100 else '0';
-  sum <= ET + (to_unsigned(0, 31) & (tick and less));
-  ET_next <= sum when (power and was) = '1' else to_unsigned(0, 32);
-  at_least <= '1' when signed(ET_next) >= 100 else '0';
+  condition <= power and was;
+  condition_2 <= tick and not ET_is_100;
+  sum <= ET + 1;
+  choice <= sum when condition_2 = '1' else ET;
+  ET_next <= choice when condition = '1' else to_unsigned(0, 7);
+  equal <= '1' when ET = 99 else '0';
+  choice_2 <= equal when condition_2 = '1' else ET_is_100;
+  ET_is_100_next <= choice_2 when condition = '1' else '0';
 
-  Q <= power and at_least;
+  Q <= ET_is_100_next;
 
   process (clk)
   begin
@@ -189,9 +222,11 @@ begin
       if rst = '1' then
         ET <= (others => '0');
         was <= '0';
+        ET_is_100 <= '0';
       else
         ET <= ET_next;
         was <= power;
+        ET_is_100 <= ET_is_100_next;
       end if;
     end if;
   end process;
@@ -230,7 +265,7 @@ architecture rtl of traffic_lights_test is
   signal ew_yellow_reg : std_logic := '0';
   signal ew_red_reg : std_logic := '1';
   signal t1_Q : std_logic;
-  signal t1_ET_last : unsigned(31 downto 0);
+  signal t1_ET_last : unsigned(6 downto 0);
   signal t2_Q : std_logic;
   signal t3_Q : std_logic;
   signal t4_Q : std_logic;
@@ -246,9 +281,10 @@ architecture rtl of traffic_lights_test is
   signal ns_red_next : std_logic;
   signal turn_red_next : std_logic;
   signal ew_red_next : std_logic;
+  signal t1_ET_value : unsigned(31 downto 0);
 begin
 
-  -- rung 1 "intervals 1 to 6", traffic_lights.ladder:12
+  -- rung 1 "intervals 1 to 6", traffic_lights.ladder:13
   t2: entity work.traffic_lights_test_TON_PT30
     port map (
       clk => clk,
@@ -300,32 +336,33 @@ begin
     );
   rung1_power <= not t6_Q and t1_Q;
 
-  -- rung 2 "interval 1: north-south may go", traffic_lights.ladder:16
+  -- rung 2 "interval 1: north-south may go", traffic_lights.ladder:17
   ns_green_next <= not rung1_power;
 
-  -- rung 3 "interval 2", traffic_lights.ladder:18
+  -- rung 3 "interval 2", traffic_lights.ladder:19
   ns_yellow_next <= rung1_power and not t2_Q;
 
-  -- rung 4 "interval 3: north-south may turn", traffic_lights.ladder:20
+  -- rung 4 "interval 3: north-south may turn", traffic_lights.ladder:21
   turn_green_next <= t2_Q and not t3_Q;
 
-  -- rung 5 "interval 4", traffic_lights.ladder:22
+  -- rung 5 "interval 4", traffic_lights.ladder:23
   turn_yellow_next <= t3_Q and not t4_Q;
 
-  -- rung 6 "interval 5: east-west may go", traffic_lights.ladder:24
+  -- rung 6 "interval 5: east-west may go", traffic_lights.ladder:25
   ew_green_next <= t4_Q and not t5_Q;
 
-  -- rung 7 "interval 6", traffic_lights.ladder:26
+  -- rung 7 "interval 6", traffic_lights.ladder:27
   ew_yellow_next <= t5_Q and rung1_power;
 
-  -- rung 8 "red whenever a lane has neither green nor yellow", traffic_lights.ladder:29
+  -- rung 8 "red whenever a lane has neither green nor yellow", traffic_lights.ladder:30
   ns_red_next <= rung1_power and not ns_yellow_next;
 
-  -- rung 9, traffic_lights.ladder:31
+  -- rung 9, traffic_lights.ladder:32
   turn_red_next <= not turn_green_next and not turn_yellow_next;
 
-  -- rung 10, traffic_lights.ladder:32
+  -- rung 10, traffic_lights.ladder:33
   ew_red_next <= not ew_green_next and not ew_yellow_next;
+  t1_ET_value <= resize(t1_ET_last, 32);
 
   ns_green <= ns_green_reg;
   ns_yellow <= ns_yellow_reg;
@@ -336,7 +373,7 @@ begin
   ew_green <= ew_green_reg;
   ew_yellow <= ew_yellow_reg;
   ew_red <= ew_red_reg;
-  t1_ET <= std_logic_vector(t1_ET_last);
+  t1_ET <= std_logic_vector(t1_ET_value);
 
   process (clk)
   begin
@@ -692,7 +729,7 @@ begin
     -- all lanes are red before the first scan
     failed := false;
     reset;
-    wait for 1 ns; -- traffic_lights.ladder:35
+    wait for 1 ns; -- traffic_lights.ladder:36
     if not failed and (expect_0_0 and expect_0_1 and expect_0_2) /= '1' then
       failed := true;
       print("# failed expectation 0 conducts " & image(expect_0_0) & image(expect_0_1) & image(expect_0_2)
@@ -712,7 +749,7 @@ begin
     reset;
     scan(1, '0');
     for round in 1 to 3 loop
-      wait for 1 ns; -- traffic_lights.ladder:40
+      wait for 1 ns; -- traffic_lights.ladder:41
       if not failed and (expect_1_0 and expect_1_1 and expect_1_2) /= '1' then
         failed := true;
         print("# failed expectation 1 conducts " & image(expect_1_0) & image(expect_1_1) & image(expect_1_2)
@@ -721,7 +758,7 @@ begin
             & " ew_red=" & image(ew_red));
       end if;
       scan(119, '1');
-      wait for 1 ns; -- traffic_lights.ladder:42
+      wait for 1 ns; -- traffic_lights.ladder:43
       if not failed and (expect_2_0 and expect_2_1 and expect_2_2) /= '1' then
         failed := true;
         print("# failed expectation 2 conducts " & image(expect_2_0) & image(expect_2_1) & image(expect_2_2)
@@ -730,7 +767,7 @@ begin
             & " ew_red=" & image(ew_red));
       end if;
       scan(1, '1');
-      wait for 1 ns; -- traffic_lights.ladder:44
+      wait for 1 ns; -- traffic_lights.ladder:45
       if not failed and (expect_3_0 and expect_3_1 and expect_3_2) /= '1' then
         failed := true;
         print("# failed expectation 3 conducts " & image(expect_3_0) & image(expect_3_1) & image(expect_3_2)
@@ -739,7 +776,7 @@ begin
             & " ew_red=" & image(ew_red));
       end if;
       scan(29, '1');
-      wait for 1 ns; -- traffic_lights.ladder:46
+      wait for 1 ns; -- traffic_lights.ladder:47
       if not failed and (expect_4_0 and expect_4_1 and expect_4_2) /= '1' then
         failed := true;
         print("# failed expectation 4 conducts " & image(expect_4_0) & image(expect_4_1) & image(expect_4_2)
@@ -748,7 +785,7 @@ begin
             & " ew_red=" & image(ew_red));
       end if;
       scan(1, '1');
-      wait for 1 ns; -- traffic_lights.ladder:48
+      wait for 1 ns; -- traffic_lights.ladder:49
       if not failed and (expect_5_0 and expect_5_1 and expect_5_2) /= '1' then
         failed := true;
         print("# failed expectation 5 conducts " & image(expect_5_0) & image(expect_5_1) & image(expect_5_2)
@@ -757,7 +794,7 @@ begin
             & " ew_red=" & image(ew_red));
       end if;
       scan(59, '1');
-      wait for 1 ns; -- traffic_lights.ladder:50
+      wait for 1 ns; -- traffic_lights.ladder:51
       if not failed and (expect_6_0 and expect_6_1 and expect_6_2) /= '1' then
         failed := true;
         print("# failed expectation 6 conducts " & image(expect_6_0) & image(expect_6_1) & image(expect_6_2)
@@ -766,7 +803,7 @@ begin
             & " ew_red=" & image(ew_red));
       end if;
       scan(1, '1');
-      wait for 1 ns; -- traffic_lights.ladder:52
+      wait for 1 ns; -- traffic_lights.ladder:53
       if not failed and (expect_7_0 and expect_7_1 and expect_7_2) /= '1' then
         failed := true;
         print("# failed expectation 7 conducts " & image(expect_7_0) & image(expect_7_1) & image(expect_7_2)
@@ -775,7 +812,7 @@ begin
             & " ew_red=" & image(ew_red));
       end if;
       scan(29, '1');
-      wait for 1 ns; -- traffic_lights.ladder:54
+      wait for 1 ns; -- traffic_lights.ladder:55
       if not failed and (expect_8_0 and expect_8_1 and expect_8_2) /= '1' then
         failed := true;
         print("# failed expectation 8 conducts " & image(expect_8_0) & image(expect_8_1) & image(expect_8_2)
@@ -784,7 +821,7 @@ begin
             & " ew_red=" & image(ew_red));
       end if;
       scan(1, '1');
-      wait for 1 ns; -- traffic_lights.ladder:56
+      wait for 1 ns; -- traffic_lights.ladder:57
       if not failed and (expect_9_0 and expect_9_1 and expect_9_2) /= '1' then
         failed := true;
         print("# failed expectation 9 conducts " & image(expect_9_0) & image(expect_9_1) & image(expect_9_2)
@@ -793,7 +830,7 @@ begin
             & " ew_green=" & image(ew_green));
       end if;
       scan(99, '1');
-      wait for 1 ns; -- traffic_lights.ladder:58
+      wait for 1 ns; -- traffic_lights.ladder:59
       if not failed and (expect_10_0 and expect_10_1 and expect_10_2) /= '1' then
         failed := true;
         print("# failed expectation 10 conducts " & image(expect_10_0) & image(expect_10_1) & image(expect_10_2)
@@ -802,7 +839,7 @@ begin
             & " ew_green=" & image(ew_green));
       end if;
       scan(1, '1');
-      wait for 1 ns; -- traffic_lights.ladder:60
+      wait for 1 ns; -- traffic_lights.ladder:61
       if not failed and (expect_11_0 and expect_11_1 and expect_11_2) /= '1' then
         failed := true;
         print("# failed expectation 11 conducts " & image(expect_11_0) & image(expect_11_1) & image(expect_11_2)
@@ -811,7 +848,7 @@ begin
             & " ew_yellow=" & image(ew_yellow));
       end if;
       scan(29, '1');
-      wait for 1 ns; -- traffic_lights.ladder:62
+      wait for 1 ns; -- traffic_lights.ladder:63
       if not failed and (expect_12_0 and expect_12_1 and expect_12_2) /= '1' then
         failed := true;
         print("# failed expectation 12 conducts " & image(expect_12_0) & image(expect_12_1) & image(expect_12_2)
@@ -833,7 +870,7 @@ begin
     reset;
     scan(1, '0');
     for round in 1 to 400 loop
-      wait for 1 ns; -- traffic_lights.ladder:69
+      wait for 1 ns; -- traffic_lights.ladder:70
       if not failed and (expect_13_0) /= '1' then
         failed := true;
         print("# failed expectation 13 conducts " & image(expect_13_0)
@@ -841,7 +878,7 @@ begin
             & " turn_red=" & image(turn_red)
             & " ew_red=" & image(ew_red));
       end if;
-      wait for 1 ns; -- traffic_lights.ladder:70
+      wait for 1 ns; -- traffic_lights.ladder:71
       if not failed and (expect_14_0) /= '1' then
         failed := true;
         print("# failed expectation 14 conducts " & image(expect_14_0)
@@ -849,7 +886,7 @@ begin
             & " ns_yellow=" & image(ns_yellow)
             & " ns_red=" & image(ns_red));
       end if;
-      wait for 1 ns; -- traffic_lights.ladder:75
+      wait for 1 ns; -- traffic_lights.ladder:76
       if not failed and (expect_15_0) /= '1' then
         failed := true;
         print("# failed expectation 15 conducts " & image(expect_15_0)
@@ -857,7 +894,7 @@ begin
             & " turn_yellow=" & image(turn_yellow)
             & " turn_red=" & image(turn_red));
       end if;
-      wait for 1 ns; -- traffic_lights.ladder:80
+      wait for 1 ns; -- traffic_lights.ladder:81
       if not failed and (expect_16_0) /= '1' then
         failed := true;
         print("# failed expectation 16 conducts " & image(expect_16_0)
@@ -879,7 +916,7 @@ begin
     reset;
     scan(1, '0');
     for round in 1 to 5 loop
-      wait for 1 ns; -- traffic_lights.ladder:91
+      wait for 1 ns; -- traffic_lights.ladder:92
       if not failed and (expect_17_0 and expect_17_1) /= '1' then
         failed := true;
         print("# failed expectation 17 conducts " & image(expect_17_0) & image(expect_17_1)
@@ -888,7 +925,7 @@ begin
       end if;
       scan(370, '1');
     end loop;
-    wait for 1 ns; -- traffic_lights.ladder:94
+    wait for 1 ns; -- traffic_lights.ladder:95
     if not failed and (expect_18_0) /= '1' then
       failed := true;
       print("# failed expectation 18 conducts " & image(expect_18_0)

@@ -24,12 +24,12 @@ module traffic_lights_top (
   end
   wire core_rst = reset_pipe[1];
 
-  // Tick: every 1200000 clocks of 12 MHz, wanted every 100 ms, error 0 ppm.
-  reg [20:0] prescaler = 21'd0;
-  wire tick = prescaler == 21'd1199999;
+  // Tick: every 400000 clocks of 4 MHz, wanted every 100 ms, error 0 ppm.
+  reg [18:0] prescaler = 19'd0;
+  wire tick = prescaler == 19'd399999;
   always @(posedge clk) begin
-    if (core_rst) prescaler <= 21'd0;
-    else prescaler <= tick ? 21'd0 : prescaler + 21'd1;
+    if (core_rst) prescaler <= 19'd0;
+    else prescaler <= tick ? 19'd0 : prescaler + 19'd1;
   end
 
   traffic_lights core (

@@ -26,7 +26,7 @@ architecture rtl of traffic_lights_top is
   signal reset_pipe : std_logic_vector(1 downto 0) := "11";
   attribute async_reg of reset_pipe : signal is "TRUE";
   signal core_rst : std_logic;
-  signal prescaler : unsigned(20 downto 0) := (others => '0');
+  signal prescaler : unsigned(18 downto 0) := (others => '0');
   signal tick : std_logic;
 begin
 
@@ -41,8 +41,8 @@ begin
   end process;
   core_rst <= reset_pipe(1);
 
-  -- Tick: every 1200000 clocks of 12 MHz, wanted every 100 ms, error 0 ppm.
-  tick <= '1' when prescaler = 1199999 else '0';
+  -- Tick: every 400000 clocks of 4 MHz, wanted every 100 ms, error 0 ppm.
+  tick <= '1' when prescaler = 399999 else '0';
   process (clk)
   begin
     if rising_edge(clk) then

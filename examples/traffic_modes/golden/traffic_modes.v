@@ -58,61 +58,59 @@ module traffic_modes (
   output wire ew_red
 );
   reg [15:0] interval = 16'd9;
-  reg [31:0] timer_PT = 32'd0;
+  reg [6:0] timer_PT = 7'd0;
+  reg interval_is_2 = 1'b0;
+  reg interval_is_5 = 1'b0;
+  reg ew_yellow_reg = 1'b0;
+  reg interval_is_10 = 1'b0;
   reg ns_green_reg = 1'b0;
+  reg turn_green_reg = 1'b0;
+  reg ew_green_reg = 1'b0;
   reg ns_yellow_reg = 1'b0;
   reg ns_red_reg = 1'b1;
-  reg turn_green_reg = 1'b0;
   reg turn_yellow_reg = 1'b0;
   reg turn_red_reg = 1'b1;
-  reg ew_green_reg = 1'b0;
-  reg ew_yellow_reg = 1'b0;
   reg ew_red_reg = 1'b1;
 
   // rung 1 "how long the interval lasts", traffic_modes.ladder:28
   wire rung1_equal = interval == 16'd3;
   wire rung1_equal_2 = interval == 16'd6;
   wire rung1_equal_3 = interval == 16'd9;
-  wire [31:0] timer_PT_rung1 = (rung1_equal | rung1_equal_2 | rung1_equal_3) ? 32'd10 : timer_PT;
+  wire [6:0] timer_PT_rung1 = (rung1_equal | rung1_equal_2 | rung1_equal_3) ? 7'd10 : timer_PT;
 
   // rung 2, traffic_modes.ladder:31
-  wire rung2_equal = interval == 16'd2;
-  wire rung2_equal_2 = interval == 16'd5;
-  wire rung2_equal_3 = interval == 16'd8;
-  wire [31:0] timer_PT_rung2 =
-      (rung2_equal | rung2_equal_2 | rung2_equal_3) ? 32'd30 : timer_PT_rung1;
+  wire [6:0] timer_PT_rung2 =
+      (interval_is_2 | interval_is_5 | ew_yellow_reg) ? 7'd30 : timer_PT_rung1;
 
   // rung 3, traffic_modes.ladder:34
-  wire rung3_equal = interval == 16'd10;
-  wire [31:0] timer_PT_rung3 = rung3_equal ? 32'd10 : timer_PT_rung2;
+  wire [6:0] timer_PT_rung3 = interval_is_10 ? 7'd10 : timer_PT_rung2;
 
   // rung 4, traffic_modes.ladder:35
-  wire rung4_equal = interval == 16'd1;
-  wire [31:0] timer_PT_rung4 = rung4_equal ? 32'd120 : timer_PT_rung3;
+  wire [6:0] timer_PT_rung4 = ns_green_reg ? 7'h78 : timer_PT_rung3;
 
   // rung 5, traffic_modes.ladder:36
-  wire rung5_equal = interval == 16'd4;
-  wire [31:0] timer_PT_rung5 = rung5_equal ? 32'd60 : timer_PT_rung4;
+  wire [6:0] timer_PT_rung5 = turn_green_reg ? 7'd60 : timer_PT_rung4;
 
   // rung 6, traffic_modes.ladder:37
-  wire rung6_equal = interval == 16'd7;
-  wire [31:0] timer_PT_next = rung6_equal ? 32'd100 : timer_PT_rung5;
+  wire [6:0] timer_PT_next = ew_green_reg ? 7'h64 : timer_PT_rung5;
+  wire [31:0] timer_PT_2 = {25'b0, timer_PT_next};
 
   // rung 7 "which one comes next", traffic_modes.ladder:39
   wire [15:0] next_rung7 = interval + 16'd1;
 
   // rung 8, traffic_modes.ladder:41
-  wire rung8_equal = interval == 16'd3;
-  wire [15:0] next_rung8 = (rung8_equal & rush_hour) ? 16'd7 : next_rung7;
+  wire rung8_power = rung1_equal & rush_hour;
+  wire [15:0] next_rung8 = rung8_power ? 16'd7 : next_rung7;
 
   // rung 9, traffic_modes.ladder:42
-  wire rung9_equal = interval == 16'd9;
-  wire [15:0] next_rung9 = (rung9_equal & ~late_night) ? 16'd1 : next_rung8;
+  wire rung9_power = rung1_equal_3 & ~late_night;
+  wire [15:0] next_rung9 = rung9_power ? 16'd1 : next_rung8;
 
   // rung 10, traffic_modes.ladder:43
-  wire rung10_equal = interval == 16'd10;
-  wire [15:0] next_rung10 = (rung10_equal & late_night) ? 16'd10 : next_rung9;
-  wire [15:0] next_u = (rung10_equal & ~late_night) ? 16'd9 : next_rung10;
+  wire rung10_power = interval_is_10 & late_night;
+  wire [15:0] next_rung10 = rung10_power ? 16'd10 : next_rung9;
+  wire rung10_power_2 = interval_is_10 & ~late_night;
+  wire [15:0] next_u = rung10_power_2 ? 16'd9 : next_rung10;
 
   // rung 11 "on to it", traffic_modes.ladder:45
   wire timer_Q;
@@ -121,7 +119,7 @@ module traffic_modes (
     .clk(clk),
     .rst(rst),
     .tick(tick),
-    .PT(timer_PT_next),
+    .PT(timer_PT_2),
     .clear_after(timer_Q),
     .Q(timer_Q),
     .ET(timer_ET)
@@ -130,41 +128,62 @@ module traffic_modes (
   wire [15:0] interval_next = timer_Q ? next_u : interval;
 
   // rung 12 "blink for half a second in each second", traffic_modes.ladder:48
-  wire rung12_equal = interval_next == 16'd10;
+  wire rung12_choice =
+      timer_Q ? ~rung10_power_2 & (rung10_power | ~rung9_power & ~rung8_power & rung1_equal_3)
+      : interval_is_10;
   wire rung12_less = $signed(rung11_choice) < 32'sd5;
-  wire blink = rung12_equal & rung12_less;
+  wire blink = rung12_choice & rung12_less;
 
   // rung 13 "north-south, straight on", traffic_modes.ladder:51
-  wire ns_green_next = interval_next == 16'd1;
+  wire rung13_equal = interval == 16'd0;
+  wire ns_green_next =
+      timer_Q ? ~rung10_power_2 & ~rung10_power & (rung9_power | ~rung8_power & rung13_equal)
+      : ns_green_reg;
 
   // rung 14, traffic_modes.ladder:53
-  wire rung14_equal = interval_next == 16'd2;
-  wire ns_yellow_next = rung14_equal | blink;
+  wire interval_is_2_next =
+      timer_Q ? ~rung10_power_2 & ~rung10_power & ~rung9_power & ~rung8_power & ns_green_reg
+      : interval_is_2;
+  wire ns_yellow_next = interval_is_2_next | blink;
 
   // rung 15, traffic_modes.ladder:54
-  wire rung15_unequal = interval_next != 16'd10;
-  wire ns_red_next = rung15_unequal & ~ns_green_next & ~ns_yellow_next;
+  wire rung15_choice =
+      timer_Q ? ~rung10_power_2 & (rung10_power | ~rung9_power & ~rung8_power & rung1_equal_3)
+      : interval_is_10;
+  wire ns_red_next = ~rung15_choice & ~ns_green_next & ~ns_yellow_next;
 
   // rung 16 "north-south, turning", traffic_modes.ladder:56
-  wire turn_green_next = interval_next == 16'd4;
+  wire turn_green_next =
+      timer_Q ? ~rung10_power_2 & ~rung10_power & ~rung9_power & ~rung8_power & rung1_equal
+      : turn_green_reg;
 
   // rung 17, traffic_modes.ladder:58
-  wire rung17_equal = interval_next == 16'd5;
-  wire turn_yellow_next = rung17_equal | blink;
+  wire interval_is_5_next =
+      timer_Q ? ~rung10_power_2 & ~rung10_power & ~rung9_power & ~rung8_power & turn_green_reg
+      : interval_is_5;
+  wire turn_yellow_next = interval_is_5_next | blink;
 
   // rung 18, traffic_modes.ladder:59
-  wire rung18_unequal = interval_next != 16'd10;
-  wire turn_red_next = rung18_unequal & ~turn_green_next & ~turn_yellow_next;
+  wire rung18_choice =
+      timer_Q ? ~rung10_power_2 & (rung10_power | ~rung9_power & ~rung8_power & rung1_equal_3)
+      : interval_is_10;
+  wire turn_red_next = ~rung18_choice & ~turn_green_next & ~turn_yellow_next;
 
   // rung 19 "east-west", traffic_modes.ladder:61
-  wire ew_green_next = interval_next == 16'd7;
+  wire ew_green_next =
+      timer_Q ? ~rung10_power_2 & ~rung10_power & ~rung9_power & (rung8_power | rung1_equal_2)
+      : ew_green_reg;
 
   // rung 20, traffic_modes.ladder:63
-  wire ew_yellow_next = interval_next == 16'd8;
+  wire ew_yellow_next =
+      timer_Q ? ~rung10_power_2 & ~rung10_power & ~rung9_power & ~rung8_power & ew_green_reg
+      : ew_yellow_reg;
 
   // rung 21, traffic_modes.ladder:64
-  wire rung21_unequal = interval_next != 16'd10;
-  wire ew_red_next = rung21_unequal & ~ew_green_next & ~ew_yellow_next | blink;
+  wire interval_is_10_next =
+      timer_Q ? ~rung10_power_2 & (rung10_power | ~rung9_power & ~rung8_power & rung1_equal_3)
+      : interval_is_10;
+  wire ew_red_next = ~interval_is_10_next & ~ew_green_next & ~ew_yellow_next | blink;
 
   assign ns_green = ns_green_reg;
   assign ns_yellow = ns_yellow_reg;
@@ -179,27 +198,33 @@ module traffic_modes (
   always @(posedge clk) begin
     if (rst) begin
       interval <= 16'd9;
-      timer_PT <= 32'd0;
+      timer_PT <= 7'd0;
+      interval_is_2 <= 1'b0;
+      interval_is_5 <= 1'b0;
+      ew_yellow_reg <= 1'b0;
+      interval_is_10 <= 1'b0;
       ns_green_reg <= 1'b0;
+      turn_green_reg <= 1'b0;
+      ew_green_reg <= 1'b0;
       ns_yellow_reg <= 1'b0;
       ns_red_reg <= 1'b1;
-      turn_green_reg <= 1'b0;
       turn_yellow_reg <= 1'b0;
       turn_red_reg <= 1'b1;
-      ew_green_reg <= 1'b0;
-      ew_yellow_reg <= 1'b0;
       ew_red_reg <= 1'b1;
     end else begin
       interval <= interval_next;
       timer_PT <= timer_PT_next;
+      interval_is_2 <= interval_is_2_next;
+      interval_is_5 <= interval_is_5_next;
+      ew_yellow_reg <= ew_yellow_next;
+      interval_is_10 <= interval_is_10_next;
       ns_green_reg <= ns_green_next;
+      turn_green_reg <= turn_green_next;
+      ew_green_reg <= ew_green_next;
       ns_yellow_reg <= ns_yellow_next;
       ns_red_reg <= ns_red_next;
-      turn_green_reg <= turn_green_next;
       turn_yellow_reg <= turn_yellow_next;
       turn_red_reg <= turn_red_next;
-      ew_green_reg <= ew_green_next;
-      ew_yellow_reg <= ew_yellow_next;
       ew_red_reg <= ew_red_next;
     end
   end

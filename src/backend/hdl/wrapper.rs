@@ -24,6 +24,22 @@ pub struct Board {
     pub debounce_ticks: Option<u32>,
 }
 
+impl Board {
+    /// How the tick is made, for people.
+    pub fn tick_made(&self) -> String {
+        let Prescaler { clocks, .. } = self.prescaler();
+        let clock = Quantity { value: self.clock_hz, units: ["Hz", "kHz", "MHz", "GHz"] };
+        let period = Quantity { value: self.tick_ns, units: ["ns", "us", "ms", "s"] };
+        let error = self.prescaler().error_ppm();
+        format!("every {clocks} clocks of {clock}, wanted every {period}, error {error}")
+    }
+
+    /// What makes the tick.
+    pub fn prescaler(&self) -> Prescaler {
+        Prescaler::new(self.clock_hz, self.tick_ns)
+    }
+}
+
 /// An input pin and the way to the program.
 struct Pin<'a> {
     port: &'a str,
@@ -148,7 +164,6 @@ struct View<'a> {
     has_tick: bool,
     options: &'a Options,
     board: &'a Board,
-    prescaler: Prescaler,
     counter: Option<Counter>,
     debounce: Option<Counter>,
 }
@@ -203,7 +218,7 @@ pub fn print(design: &Design, language: Language, options: &Options, board: &Boa
     let pins = pins.collect();
     let lamps = ports.outputs.iter().map(|port| Lamp { port: &port.name, width: port.width });
     let lamps = lamps.collect();
-    let prescaler = Prescaler::new(board.clock_hz, board.tick_ns);
+    let prescaler = board.prescaler();
     let view = View {
         header: header(options),
         ports: &ports,
@@ -214,7 +229,6 @@ pub fn print(design: &Design, language: Language, options: &Options, board: &Boa
         has_tick,
         options,
         board,
-        prescaler,
         counter: (prescaler.clocks > 1).then(|| Counter::of(prescaler.clocks)),
         // The first tick may come right after the change: one more makes the time full.
         debounce: debounce_ticks.map(|ticks| Counter::of(u64::from(ticks) + 1)),
@@ -307,14 +321,6 @@ impl View<'_> {
 
     fn is_async(&self) -> bool {
         self.options.reset.is_async()
-    }
-
-    fn clock(&self) -> Quantity<'_> {
-        Quantity { value: self.board.clock_hz, units: ["Hz", "kHz", "MHz", "GHz"] }
-    }
-
-    fn period(&self) -> Quantity<'_> {
-        Quantity { value: self.board.tick_ns, units: ["ns", "us", "ms", "s"] }
     }
 
     fn has_words(&self) -> bool {

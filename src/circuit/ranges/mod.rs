@@ -201,6 +201,11 @@ fn marks(circuit: &Circuit, id: RegisterId) -> Vec<i128> {
             let numbers = [constant.bounds(false).0, constant.bounds(true).0];
             marks.extend(numbers.iter().flat_map(|number| [number - 1, *number, number + 1]));
         }
+        if let Op::Extend { from, .. } = cell.op {
+            let narrow = Interval::full(circuit.width(from));
+            let ((lowest, highest), (_, most)) = (narrow.bounds(true), narrow.bounds(false));
+            marks.extend([lowest, highest, 0, most]);
+        }
         circuit.for_each_operand(cell, |operand| open.push(operand));
     }
     marks.sort_unstable();

@@ -5,6 +5,7 @@ mod cell;
 mod csv;
 mod json;
 
+use super::Row;
 use crate::diagnostic::{Diagnostic, code, shortened, similar_name};
 use crate::model::{Program, Role, VariableId};
 use crate::source::{Source, Span};
@@ -22,15 +23,6 @@ pub struct Stimulus {
     drives: Vec<(VariableId, i64)>,
     /// For each row, where its part of `drives` ends, and whether it has the tick.
     rows: Vec<(usize, bool)>,
-}
-
-/// What happens in one scan.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Row<'a> {
-    /// The scan has the tick.
-    pub tick: bool,
-    /// Inputs that get a value, in range of their types.
-    pub drives: &'a [(VariableId, i64)],
 }
 
 impl Stimulus {
