@@ -69,7 +69,8 @@ impl Generator {
                 }
             }
         }
-        writeln!(text, "input level : INT\nvar fixed : INT := 2\nvar word : WORD := 16#0F").unwrap();
+        writeln!(text, "input level : INT\nvar fixed : INT := 2\nvar word : WORD := 16#0F")
+            .unwrap();
         for bit in [0, 3, 15] {
             self.bits.push(format!("word.{bit}"));
             self.coils.push(format!("word.{bit}"));
