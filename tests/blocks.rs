@@ -165,6 +165,7 @@ fn random_shape(random: &mut Rng, block: &'static Block) -> Shape {
     let chosen = block.settings.iter().map(|setting| match &setting.choice {
         Choice::Word(words) => vec![random.i64(0..words.len() as i64)],
         Choice::Time(..) => vec![[1, 2, 3, 10][random.usize(..4)]],
+        Choice::Register { .. } => vec![0; 1 + random.usize(..4)],
         Choice::List { low, most, .. } => {
             (0..random.usize(..=*most)).map(|_| random.i64(*low..low + 6)).collect()
         }

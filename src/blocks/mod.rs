@@ -22,6 +22,7 @@ mod r_trig;
 pub mod reference;
 mod rs;
 mod setting;
+mod shift;
 mod sr;
 mod tof;
 mod ton;
@@ -77,6 +78,8 @@ pub const ALL: &[&Block] = &[
     &uc::UC,
     &dc::DC,
     &drum::DRUM,
+    &shift::SHL,
+    &shift::SHR,
 ];
 
 /// The block of that kind.

@@ -99,6 +99,9 @@ fn describe(shape: &Shape, circuit: &mut Circuit) {
             (Choice::Word(words), &[word]) if word != 0 => {
                 circuit.name += &format!("_{}", words[word as usize]);
             }
+            (Choice::Register { .. }, words) => {
+                circuit.name += &format!("_{}", 16 * words.len());
+            }
             (Choice::Time(..), [ticks]) => circuit.name += &format!("_{}{ticks}", setting.name),
             _ => {}
         }

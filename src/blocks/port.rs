@@ -65,6 +65,9 @@ pub enum PortRole {
         /// It is a member.
         shown: bool,
     },
+    /// A word of a register of the program, which the call reads and writes in place. The member
+    /// is that variable itself.
+    Register,
     /// Written by another call of the instance alone.
     Idle {
         /// It is a member.
@@ -123,7 +126,7 @@ impl PortRole {
             | PortRole::Accumulator(_)
             | PortRole::Output => true,
             PortRole::Shared { shown } | PortRole::Idle { shown } => shown,
-            PortRole::Pulse(_) | PortRole::State | PortRole::Memory => false,
+            PortRole::Pulse(_) | PortRole::State | PortRole::Memory | PortRole::Register => false,
         }
     }
 
@@ -134,7 +137,7 @@ impl PortRole {
 
     /// True for what a call reads and writes and the program holds from scan to scan.
     pub fn is_outside(self) -> bool {
-        matches!(self, PortRole::Accumulator(_) | PortRole::Shared { .. })
+        matches!(self, PortRole::Accumulator(_) | PortRole::Shared { .. } | PortRole::Register)
     }
 
     /// True for what is written by a call or a reset coil and seen by others.
@@ -144,7 +147,7 @@ impl PortRole {
 
     /// True for what `(R name)` puts back.
     pub fn is_cleared(self) -> bool {
-        self == PortRole::State || self.is_result()
+        self == PortRole::State || self.is_result() && self != PortRole::Register
     }
 
     /// The constants that a number may be given.
@@ -252,6 +255,11 @@ impl Port {
     /// An output or a state that not this call alone writes.
     pub const fn shared(name: &'static str, ty: Type, shown: bool, doc: &'static str) -> Port {
         Port::new(name, ty, PortRole::Shared { shown }, doc)
+    }
+
+    /// A word of a register.
+    pub const fn register(name: &'static str, doc: &'static str) -> Port {
+        Port::new(name, Type::Word, PortRole::Register, doc)
     }
 
     /// The same with another start.

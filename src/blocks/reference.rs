@@ -74,6 +74,9 @@ fn constants(setting: &Setting) -> (&'static str, String) {
             let all: Vec<String> = lengths.iter().map(|&ns| time(ns)).collect();
             ("`TIME`", format!("{}; else {}", all.join(", "), time(otherwise)))
         }
+        Choice::Register { most } => {
+            ("`WORD`", format!("a variable or an array of 1 to {most}, must be given"))
+        }
         Choice::List { low, high, most } => {
             ("list", format!("1 to {most} constants {low} to {high}"))
         }
@@ -111,6 +114,7 @@ fn kind(block: &Block, port: &Port) -> String {
         | PortRole::State
         | PortRole::Memory
         | PortRole::Pulse(_)
+        | PortRole::Register
         | PortRole::Shared { .. } => "output".to_owned(),
         PortRole::Idle { .. } => {
             format!("output of {}", block.partner.expect("another call writes it"))

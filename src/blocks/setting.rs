@@ -22,6 +22,12 @@ pub enum Choice {
     /// One of these lengths of time in nanoseconds; the second is what it is where the call gives
     /// none. Kept in ticks.
     Time(&'static [u64], u64),
+    /// A register of so many words at most: a `WORD` or an array of them. Kept as a list with an
+    /// item for each word.
+    Register {
+        /// The number of words at most.
+        most: usize,
+    },
     /// A list of numbers; empty where the call gives none.
     List {
         /// Smallest number.
@@ -40,6 +46,7 @@ impl Choice {
         match self {
             Choice::Word(_) => Some(vec![0]),
             Choice::Time(_, ns) => ns.is_multiple_of(tick_ns).then(|| vec![(ns / tick_ns) as i64]),
+            Choice::Register { .. } => Some(vec![0]),
             Choice::List { .. } => Some(Vec::new()),
         }
     }
@@ -115,6 +122,10 @@ impl Shape {
             Choice::Time(..) => {
                 let unit = if chosen[0] == 1 { "tick" } else { "ticks" };
                 Some(format!("{} = {} {unit}", setting.name, chosen[0]))
+            }
+            Choice::Register { .. } => {
+                let bits = 16 * chosen.len();
+                Some(format!("{} has {bits} bits", setting.name))
             }
             Choice::List { .. } => {
                 let items: Vec<String> = chosen.iter().map(i64::to_string).collect();

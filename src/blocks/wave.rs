@@ -8,8 +8,8 @@
 //! ET  0012333300
 //! ```
 //!
-//! A line `NAME = value` gives a parameter its value, a setting its word, its number of ticks or
-//! its list `[1, 2]`, or another port its start. A row gives one
+//! A line `NAME = value` gives a parameter its value, a setting its word, its number of ticks, its
+//! number of words or its list `[1, 2]`, or another port its start. A row gives one
 //! character a scan: `_` and `#` for 0 and 1, a digit for a number. A row `CV+2` or `CV-32760` shows
 //! `CV` with that added, for numbers that are no digit. `IN` is the power; a row `tick` says which
 //! scans have the tick (all, if there is none), a row `unit` which ones have the pulse of the
@@ -90,6 +90,7 @@ fn choose(choice: &Choice, text: &str) -> Option<Vec<i64>> {
             words.iter().position(|word| *word == text).map(|word| vec![word as i64])
         }
         Choice::Time(..) => Some(vec![text.parse().ok()?]),
+        Choice::Register { .. } => Some(vec![0; text.parse().ok()?]),
         Choice::List { .. } => {
             let items = text.strip_prefix('[')?.strip_suffix(']')?;
             items.split(',').map(|item| item.trim().parse().ok()).collect()

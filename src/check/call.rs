@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::names::Entity;
 use super::network::Site;
 use super::{Checked, Checker, Reported};
-use crate::blocks::{self, Shape};
+use crate::blocks::{self, PortRole, Shape};
 use crate::diagnostic::{Diagnostic, code, shortened, similar_name};
 use crate::model::{Argument, ArgumentValue, Call, Element, ExprKind, InstanceId, VariableId};
 use crate::quantity::{self, time_text};
@@ -91,8 +91,11 @@ impl<'s> Checker<'s> {
                 ArgumentValue::Network(_) => None,
             }
         });
-        for (&member, start) in called.members.iter().zip(starts) {
-            self.program.variables[member].initial = start;
+        for ((&member, start), port) in called.members.iter().zip(starts).zip(&called.shape.ports) {
+            // A register has the initial values of its own declaration.
+            if port.role != PortRole::Register {
+                self.program.variables[member].initial = start;
+            }
         }
     }
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::names::{Constant, Entity, not_a_constant};
 use super::{Checked, Checker};
-use crate::blocks::{self, Shape, Start};
+use crate::blocks::{self, PortRole, Shape, Start};
 use crate::diagnostic::{Diagnostic, code, shortened, similar_name};
 use crate::model::{self, ExprKind, Instance, InstanceId, Role, Variable};
 use crate::quantity;
@@ -14,8 +14,6 @@ use crate::types::Type;
 
 /// Characters of the longest program name.
 const LONGEST_PROGRAM_NAME: usize = 64;
-/// Kinds of block that people know and that are still to come; a kind that is there is found first.
-const PLANNED_BLOCKS: [&str; 2] = ["SHL", "SHR"];
 const DEFAULT_CLOCK_HZ: u64 = 12_000_000;
 const DEFAULT_TICK_NS: u64 = 1_000_000;
 
@@ -254,7 +252,14 @@ impl<'s> Checker<'s> {
         let instance =
             Instance { name: name.to_owned(), shape, is_hidden, has_partner, members, given, span };
         let id = self.program.instances.alloc(instance);
+        let mut words = self.register.drain(..).collect::<Vec<_>>().into_iter();
         for (index, port) in ports.ports.iter().enumerate() {
+            if port.role == PortRole::Register
+                && let Some(word) = words.next()
+            {
+                self.program.instances[id].members.push(word);
+                continue;
+            }
             let initial = match port.start {
                 Start::Value(value) => value,
                 // Known when the call has been checked.
@@ -278,12 +283,6 @@ impl<'s> Checker<'s> {
 fn unknown_block(kind: ast::Name<'_>) -> Diagnostic {
     let kinds = || blocks::ALL.iter().map(|block| block.name);
     let all = || format!("the blocks are {}", kinds().collect::<Vec<_>>().join(", "));
-    if PLANNED_BLOCKS.contains(&kind.text) {
-        let message = format!("the block `{}` is not supported yet", kind.text);
-        return Diagnostic::new(code::NOT_YET, kind.span, message)
-            .label("reserved for a later version")
-            .help(all());
-    }
     let help = match similar_name(kind.text, kinds()) {
         Some(similar) => format!("is `{similar}` meant?"),
         None => all(),

@@ -40,6 +40,8 @@ struct Checker<'s> {
     expectations: usize,
     /// The pulse of each unit of time that some block needs, by its length in nanoseconds.
     units: HashMap<u64, VariableId>,
+    /// The words of the register of the call that is being declared.
+    register: Vec<VariableId>,
     /// Who has which image address.
     addresses: HashMap<u16, Name<'s>>,
 }
@@ -55,6 +57,7 @@ pub fn check(source: &Source, file: &File<'_>) -> (Option<Program>, Vec<Diagnost
         first_scan: None,
         expectations: 0,
         units: HashMap::new(),
+        register: Vec::new(),
         addresses: HashMap::new(),
     };
     checker.check(file);

@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
+use super::reference::Resolved;
 use super::{Checked, Checker};
 use crate::blocks::{self, Block, Choice, PortRole, Setting, Shape};
 use crate::diagnostic::{Diagnostic, code, similar_name};
-use crate::model::{Argument, ArgumentValue, Call, Expr, ExprKind, VariableId};
+use crate::model::{Argument, ArgumentValue, Call, Expr, ExprKind, Role, Variable, VariableId};
 use crate::quantity::{self, time_text};
 use crate::source::Span;
 use crate::syntax::ast::{self, LiteralKind};
@@ -35,6 +36,9 @@ impl<'s> Checker<'s> {
         block: &'static Block,
         setting: &Setting,
     ) -> Checked<Vec<i64>> {
+        if let Choice::Register { .. } = setting.choice {
+            return Err(self.register_is_missing(call, setting));
+        }
         match (setting.choice.otherwise(self.program.tick_ns), &setting.choice) {
             (Some(chosen), _) => Ok(chosen),
             (None, Choice::Time(_, unit)) => {
@@ -45,6 +49,56 @@ impl<'s> Checker<'s> {
         }
     }
 
+    /// The words that a shift register changes in place.
+    fn register(
+        &mut self,
+        setting: &Setting,
+        most: usize,
+        value: &ast::ArgumentValue<'s>,
+    ) -> Checked<Vec<i64>> {
+        let problem = match value {
+            ast::ArgumentValue::Expr(ast::Expr {
+                kind: ast::ExprKind::Reference(reference),
+                ..
+            }) => {
+                let words: Vec<VariableId> = match self.resolve(reference)? {
+                    Resolved::Place(place) => place.as_variable().into_iter().collect(),
+                    Resolved::Array(array) => self.program.arrays[array].elements.iter().collect(),
+                    Resolved::Constant(_) | Resolved::Instance(_) => Vec::new(),
+                };
+                let is_word = |word: &&VariableId| {
+                    let Variable { ty, role, .. } = &self.program.variables[**word];
+                    *ty == Type::Word && matches!(role, Role::Local | Role::Output)
+                };
+                if !words.is_empty() && words.iter().filter(is_word).count() == words.len() {
+                    if words.len() <= most {
+                        self.register = words;
+                        return Ok(vec![0; self.register.len()]);
+                    }
+                    format!("{} has {most} words at most", setting.name)
+                } else {
+                    format!("{} takes a variable of type WORD or an array of them", setting.name)
+                }
+            }
+            _ => format!("{} takes a variable of type WORD or an array of them", setting.name),
+        };
+        let diagnostic = Diagnostic::new(code::BAD_ARGUMENT, value.span(), problem)
+            .label("cannot be shifted")
+            .help("declare it, for instance: var line : WORD[3], and give its name");
+        Err(self.report(diagnostic))
+    }
+
+    fn register_is_missing(&mut self, call: &ast::Call<'s>, setting: &Setting) -> super::Reported {
+        let (kind, name) = (call.kind.text, setting.name);
+        let message = format!("{kind} needs {name}, the register that it shifts");
+        let diagnostic = Diagnostic::new(code::BAD_ARGUMENT, call.kind.span, message)
+            .label("without a register")
+            .help(format!(
+                "declare one, for instance: var line : WORD[3], and give {name} := line"
+            ));
+        self.report(diagnostic)
+    }
+
     fn setting(
         &mut self,
         block: &'static Block,
@@ -53,6 +107,7 @@ impl<'s> Checker<'s> {
     ) -> Checked<Vec<i64>> {
         match &setting.choice {
             Choice::Word(words) => self.word(setting, words, value),
+            Choice::Register { most } => self.register(setting, *most, value),
             Choice::Time(lengths, _) => self.length(block, setting, lengths, value),
             Choice::List { low, high, most } => self.list(setting, (*low, *high), *most, value),
         }

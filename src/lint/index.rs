@@ -1,5 +1,6 @@
 //! Who reads and writes what: built once, looked up by every rule.
 
+use crate::blocks::PortRole;
 use crate::index::index;
 use crate::model::{
     Argument, ArgumentValue, BinaryOp, Call, CoilAction, Element, Expr, ExprKind, InstanceId, Net,
@@ -367,6 +368,19 @@ impl<'p> Walk<'p> {
                 // A network in an argument is drawn beside the rung: it starts anew.
                 ArgumentValue::Network(network) => self.series(network, 0),
                 ArgumentValue::Value(expr) => self.expr(expr, argument.span),
+            }
+        }
+        // A register is changed in place.
+        let instance = &self.program.instances[call.instance];
+        for (port, &word) in instance.shape.ports.iter().zip(&instance.members) {
+            if port.role == PortRole::Register {
+                let array = self.program.array_of(word);
+                let variable =
+                    array.map_or(word, |array| self.program.arrays[array].elements.first);
+                let part = Part { element: Some(word), bit: None };
+                let (rung, span) = (self.rung, instance.span);
+                self.reads.push(Read { variable, part, rung, span });
+                self.writes.push(Write { variable, part, how: Writing::Assign, rung, span });
             }
         }
     }

@@ -133,6 +133,8 @@ impl<'p> Names<'p> {
                 let ns = i128::from(chosen[0]) * i128::from(self.program.tick_ns);
                 Some(quantity::time_text(ns))
             }
+            // Its words are read and written by name.
+            Choice::Register { .. } => None,
             Choice::List { .. } => {
                 let items: Vec<String> = chosen.iter().map(i64::to_string).collect();
                 (!items.is_empty()).then(|| format!("[{}]", items.join(", ")))

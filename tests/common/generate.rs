@@ -32,6 +32,8 @@ struct Generator {
     instances: Vec<String>,
     /// Instances on which two kinds may be called and one is.
     paired: Vec<String>,
+    /// Declarations of what shift registers shift.
+    registers: Vec<String>,
     /// What is made stands in a connection of a general network.
     in_net: bool,
 }
@@ -69,6 +71,7 @@ fn program_of(seed: u64, has_products: bool) -> String {
         uncalled: Vec::new(),
         instances: Vec::new(),
         paired: Vec::new(),
+        registers: Vec::new(),
         in_net: false,
     };
     generator.tick = generator.pick(&TICKS);
@@ -125,6 +128,8 @@ impl Generator {
         for index in 0..self.random.usize(..4) {
             self.block(format!("b{index}"));
         }
+        let registers = std::mem::take(&mut self.registers);
+        registers.iter().for_each(|line| writeln!(text, "{line}").unwrap());
     }
 
     /// Makes a block of any kind, and its members known.
@@ -171,7 +176,10 @@ impl Generator {
     fn settings(&mut self, block: &'static Block) -> (Shape, Vec<String>) {
         let (mut chosen, mut texts) = (Vec::new(), Vec::new());
         for Setting { name, choice, .. } in block.settings {
-            let otherwise = choice.otherwise(self.tick * 1_000_000);
+            let otherwise = match choice {
+                Choice::Register { .. } => None,
+                _ => choice.otherwise(self.tick * 1_000_000),
+            };
             if let Some(otherwise) = otherwise.filter(|_| self.random.u8(..4) == 0) {
                 chosen.push(otherwise);
                 continue;
@@ -190,6 +198,18 @@ impl Generator {
                     let length = self.pick(&whole);
                     text = format!("{length}ms");
                     vec![(length / self.tick) as i64]
+                }
+                Choice::Register { .. } => {
+                    let words = 1 + self.random.usize(..4);
+                    let name = format!("reg{}", self.registers.len());
+                    for word in 0..words {
+                        self.numbers.push((format!("{name}[{word}]"), "WORD"));
+                        self.targets.push((format!("{name}[{word}]"), "WORD"));
+                    }
+                    let first = self.literal("WORD");
+                    self.registers.push(format!("var {name} : WORD[{words}] := [{first}]"));
+                    text = name;
+                    vec![0; words]
                 }
                 Choice::List { low, high, most } => {
                     let items: Vec<i64> = (0..1 + self.random.usize(..*most))
