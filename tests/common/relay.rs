@@ -12,6 +12,7 @@ struct Generator {
     uncalled: Vec<(String, &'static str)>,
     latches: Vec<String>,
     is_tick_short: bool,
+    is_plain: bool,
 }
 
 const LATCHES: [&str; 4] = ["SR", "RS", "R_TRIG", "F_TRIG"];
@@ -20,6 +21,15 @@ const FUNCTIONS: [&str; 10] = ["TON", "TOF", "TP", "TS", "T1_0", "UC", "DC", "DR
 
 /// The text of the random program of a seed.
 pub fn program(seed: u64) -> String {
+    text_of(seed, false)
+}
+
+/// One whose image is contacts, coils and latches and nothing else.
+pub fn plain_program(seed: u64) -> String {
+    text_of(seed, true)
+}
+
+fn text_of(seed: u64, is_plain: bool) -> String {
     let mut generator = Generator {
         random: Rng::with_seed(seed),
         bits: vec!["first_scan".to_owned()],
@@ -27,6 +37,7 @@ pub fn program(seed: u64) -> String {
         uncalled: Vec::new(),
         latches: Vec::new(),
         is_tick_short: false,
+        is_plain,
     };
     generator.is_tick_short = generator.random.bool();
     let tick = if generator.is_tick_short { "100ms" } else { "1s" };
@@ -68,6 +79,9 @@ impl Generator {
                     self.coils.push(name);
                 }
             }
+        }
+        if self.is_plain {
+            return;
         }
         writeln!(text, "input level : INT\nvar fixed : INT := 2\nvar word : WORD := 16#0F")
             .unwrap();
@@ -127,7 +141,7 @@ impl Generator {
                 format!("{edge}({bit})")
             }
             2 => format!("{{ {} }}", self.condition(2)),
-            9 if depth > 1 => self.net(),
+            9 if depth > 1 && !self.is_plain => self.net(),
             3..=8 if depth > 0 => {
                 let branches = 1 + self.random.usize(..4);
                 let list: Vec<String> = (0..branches).map(|_| self.looks(depth - 1)).collect();
