@@ -2,7 +2,8 @@
 
 use super::wave::Wave;
 use super::{Choice, Logic, PortRole, Shape};
-use crate::circuit::{Circuit, Net};
+use crate::circuit::{Circuit, Net, Reading};
+use crate::types::Type;
 
 /// Input: this scan has the tick.
 pub const TICK: &str = "tick";
@@ -48,7 +49,7 @@ pub fn module(shape: &Shape, starts: &[i64]) -> Circuit {
             (Some((_, net)), _) => Some(net),
             (None, PortRole::Idle { .. }) => None,
             (None, role) if role.is_outside() => Some(circuit.input(before(port.name), width)),
-            (None, _) => Some(circuit.input(port.name, width)),
+            (None, _) => Some(circuit.input_of(port.name, width, reading(port.ty))),
         });
         registers.push(register);
     }
@@ -90,6 +91,14 @@ pub fn module(shape: &Shape, starts: &[i64]) -> Circuit {
     circuit
 }
 
+fn reading(ty: Type) -> Reading {
+    match ty {
+        Type::Time => Reading::Ticks,
+        _ if ty.is_signed() => Reading::Signed,
+        _ => Reading::Unsigned,
+    }
+}
+
 /// The name and the head of the module: its settings, and the first diagram of such a block, which
 /// shows what it is for; the others are corner cases.
 fn describe(shape: &Shape, circuit: &mut Circuit) {
@@ -116,7 +125,11 @@ fn describe(shape: &Shape, circuit: &mut Circuit) {
             })
         };
         let lines = text.lines().filter(|line| !is_word(line));
-        circuit.comment.extend(lines.map(str::to_owned));
+        let (presets, drawn): (Vec<&str>, Vec<&str>) = lines.partition(|line| line.contains(" = "));
+        if !presets.is_empty() {
+            circuit.comment.push(format!("Example, with {}:", presets.join(", ")));
+        }
+        circuit.comment.extend(drawn.into_iter().map(str::to_owned));
     }
 }
 

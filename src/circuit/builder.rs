@@ -4,8 +4,8 @@
 use std::sync::Arc;
 
 use super::{
-    Cell, Circuit, Input, Instance, InstanceId, ModuleId, Net, Op, Operands, Output, Register,
-    RegisterId, Section, as_signed, mask,
+    Cell, Circuit, Input, Instance, InstanceId, ModuleId, Net, Op, Operands, Output, Reading,
+    Register, RegisterId, Section, as_signed, mask,
 };
 
 /// The longest list of operands that is searched for operands that say nothing new.
@@ -35,7 +35,12 @@ impl Circuit {
 
     /// A new input port and its net.
     pub fn input(&mut self, name: impl Into<Arc<str>>, width: u32) -> Net {
-        self.inputs.push(Input { name: name.into(), width });
+        self.input_of(name, width, Reading::Unsigned)
+    }
+
+    /// A new input port whose word is read as that.
+    pub fn input_of(&mut self, name: impl Into<Arc<str>>, width: u32, reading: Reading) -> Net {
+        self.inputs.push(Input { name: name.into(), width, reading });
         self.add_cell(Op::Input(self.inputs.len() as u32 - 1), width)
     }
 

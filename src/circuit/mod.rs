@@ -81,6 +81,20 @@ pub struct Input {
     pub name: Arc<str>,
     /// Width in bits.
     pub width: u32,
+    /// What the word says.
+    pub reading: Reading,
+}
+
+/// How people read a word.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Reading {
+    /// As a number without a sign, or as bits.
+    #[default]
+    Unsigned,
+    /// As a number in two's complement.
+    Signed,
+    /// As a time in ticks.
+    Ticks,
 }
 
 /// An output port.

@@ -6,8 +6,8 @@
 /* verilator lint_off DECLFILENAME */
 
 // AB_TOF: off-delay timer of Allen-Bradley, BASE = 1 tick
-// PRE = 3
-// BASE = 1
+// Fitted to PRE = 100.
+// Example, with PRE = 3, BASE = 1:
 // IN  _##_____#__#_____
 // EN  _##_____#__#_____
 // TT  ___###___##_###__
@@ -49,13 +49,13 @@ module ab_boxes_AB_TOF_BASE1_PRE100 (
 endmodule
 
 // AB_CTU: up counter of Allen-Bradley
-// PRE = 2
+// Example, with PRE = 2:
 // IN  _#_##_#_##_#
 // (R) ________#___
 // CU  _#_##_#__#_#
 // DN  ___#####___#
 // ACC 011222330112
-module ab_boxes_AB_CTU_PRE4 (
+module ab_boxes_AB_CTU (
   input  wire        power,
   input  wire [15:0] ACC_before,
   input  wire        was_up_before,
@@ -69,8 +69,8 @@ module ab_boxes_AB_CTU_PRE4 (
 endmodule
 
 // AB_CTD: down counter of Allen-Bradley
-// PRE = 1
-// ACC = 2
+// Fitted to PRE = 4.
+// Example, with PRE = 1, ACC = 2:
 // IN    _#_##_#
 // CD    _#_##_#
 // DN    ###____
@@ -136,7 +136,7 @@ module ab_boxes (
   // rung 4 "boxes on conveyor 2: up at one eye", ab_boxes.ladder:23
   wire [15:0] boxes_ACC_2;
   wire boxes_was_up_2;
-  ab_boxes_AB_CTU_PRE4 boxes (
+  ab_boxes_AB_CTU boxes (
     .power(eye_1),
     .ACC_before(boxes_ACC),
     .was_up_before(boxes_was_up),

@@ -4,8 +4,8 @@
 -- signals have no value yet.
 
 -- AB_TOF: off-delay timer of Allen-Bradley, BASE = 1 tick
--- PRE = 3
--- BASE = 1
+-- Fitted to PRE = 100.
+-- Example, with PRE = 3, BASE = 1:
 -- IN  _##_____#__#_____
 -- EN  _##_____#__#_____
 -- TT  ___###___##_###__
@@ -65,7 +65,7 @@ begin
 end architecture rtl;
 
 -- AB_CTU: up counter of Allen-Bradley
--- PRE = 2
+-- Example, with PRE = 2:
 -- IN  _#_##_#_##_#
 -- (R) ________#___
 -- CU  _#_##_#__#_#
@@ -75,7 +75,7 @@ library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
-entity ab_boxes_test_AB_CTU_PRE4 is
+entity ab_boxes_test_AB_CTU is
   port (
     power         : in  std_logic;
     ACC_before    : in  unsigned(15 downto 0);
@@ -84,9 +84,9 @@ entity ab_boxes_test_AB_CTU_PRE4 is
     CU            : out std_logic;
     was_up        : out std_logic
   );
-end entity ab_boxes_test_AB_CTU_PRE4;
+end entity ab_boxes_test_AB_CTU;
 
-architecture rtl of ab_boxes_test_AB_CTU_PRE4 is
+architecture rtl of ab_boxes_test_AB_CTU is
   signal ACC_value : unsigned(15 downto 0);
 begin
   ACC_value <= ACC_before + (to_unsigned(0, 15) & (power and not was_up_before));
@@ -97,8 +97,8 @@ begin
 end architecture rtl;
 
 -- AB_CTD: down counter of Allen-Bradley
--- PRE = 1
--- ACC = 2
+-- Fitted to PRE = 4.
+-- Example, with PRE = 1, ACC = 2:
 -- IN    _#_##_#
 -- CD    _#_##_#
 -- DN    ###____
@@ -214,7 +214,7 @@ begin
   conveyor_1_next <= ((pull_cord and not pull_cord_before) or conveyor_1_reg) and not pe_1_left;
 
   -- rung 4 "boxes on conveyor 2: up at one eye", ab_boxes.ladder:23
-  boxes: entity work.ab_boxes_test_AB_CTU_PRE4
+  boxes: entity work.ab_boxes_test_AB_CTU
     port map (
       power => eye_1,
       ACC_before => boxes_ACC_reg,

@@ -6,7 +6,8 @@
 /* verilator lint_off DECLFILENAME */
 
 // AB_CTU: up counter of Allen-Bradley
-// PRE = 2
+// Fitted to PRE = 99.
+// Example, with PRE = 2:
 // IN  _#_##_#_##_#
 // (R) ________#___
 // CU  _#_##_#__#_#
@@ -28,8 +29,8 @@ module ab_counters_AB_CTU_PRE99 (
 endmodule
 
 // AB_CTD: down counter of Allen-Bradley
-// PRE = 1
-// ACC = 2
+// Fitted to PRE = 1.
+// Example, with PRE = 1, ACC = 2:
 // IN    _#_##_#
 // CD    _#_##_#
 // DN    ###____
@@ -50,13 +51,13 @@ module ab_counters_AB_CTD_PRE1 (
 endmodule
 
 // AB_CTU: up counter of Allen-Bradley
-// PRE = 2
+// Example, with PRE = 2:
 // IN  _#_##_#_##_#
 // (R) ________#___
 // CU  _#_##_#__#_#
 // DN  ___#####___#
 // ACC 011222330112
-module ab_counters_AB_CTU_PRE99_2 (
+module ab_counters_AB_CTU (
   input  wire        power,
   input  wire [15:0] ACC_before,
   input  wire        OV_before,
@@ -79,7 +80,8 @@ module ab_counters_AB_CTU_PRE99_2 (
 endmodule
 
 // CTU: up counter
-// PV = 2
+// Fitted to PV = 99.
+// Example, with PV = 2:
 // IN  _#_##_#_#__#_#_
 // R   _________##____
 // Q   ___######____##
@@ -99,7 +101,7 @@ module ab_counters_CTU_PV99 (
   wire [6:0] sum = CV + 7'd1;
   wire [6:0] choice = condition ? sum : CV;
   wire [6:0] CV_next = R ? 7'd0 : choice;
-  wire equal = CV == 7'h62;
+  wire equal = CV == 7'd98;
   wire choice_2 = condition ? equal : CV_is_99;
   wire CV_is_99_next = R ? 1'b0 : choice_2;
 
@@ -119,7 +121,8 @@ module ab_counters_CTU_PV99 (
 endmodule
 
 // CTD: down counter
-// PV = 2
+// Fitted to PV = 50.
+// Example, with PV = 2:
 // IN  _##_#__#_#_
 // LD  ______##___
 // Q   ____##_____
@@ -131,14 +134,14 @@ module ab_counters_CTD_PV50 (
   input  wire LD,
   output wire Q
 );
-  reg [5:0] CV = 6'h32;
+  reg [5:0] CV = 6'd50;
   reg was = 1'b0;
   reg CV_is_0 = 1'b0;
 
   wire condition = power & ~was & ~CV_is_0;
   wire [5:0] difference = CV - 6'd1;
   wire [5:0] choice = condition ? difference : CV;
-  wire [5:0] CV_next = LD ? 6'h32 : choice;
+  wire [5:0] CV_next = LD ? 6'd50 : choice;
   wire equal = CV == 6'd1;
   wire choice_2 = condition ? equal : CV_is_0;
   wire CV_is_0_next = LD ? 1'b0 : choice_2;
@@ -147,7 +150,7 @@ module ab_counters_CTD_PV50 (
 
   always @(posedge clk) begin
     if (rst) begin
-      CV <= 6'h32;
+      CV <= 6'd50;
       was <= 1'b0;
       CV_is_0 <= 1'b0;
     end else begin
@@ -231,7 +234,7 @@ module ab_counters (
   wire c5_2_OV;
   wire c5_2_UN_2;
   wire c5_2_was_up_2;
-  ab_counters_AB_CTU_PRE99_2 c5_2 (
+  ab_counters_AB_CTU c5_2 (
     .power(count_up),
     .ACC_before(c5_2_ACC),
     .OV_before(overflow_reg),

@@ -1,7 +1,8 @@
 -- Made by hotrail 0.1.0 from ab_counters.ladder. Do not edit: change the ladder and build again.
 
 -- AB_CTU: up counter of Allen-Bradley
--- PRE = 2
+-- Fitted to PRE = 99.
+-- Example, with PRE = 2:
 -- IN  _#_##_#_##_#
 -- (R) ________#___
 -- CU  _#_##_#__#_#
@@ -33,8 +34,8 @@ begin
 end architecture rtl;
 
 -- AB_CTD: down counter of Allen-Bradley
--- PRE = 1
--- ACC = 2
+-- Fitted to PRE = 1.
+-- Example, with PRE = 1, ACC = 2:
 -- IN    _#_##_#
 -- CD    _#_##_#
 -- DN    ###____
@@ -65,7 +66,7 @@ begin
 end architecture rtl;
 
 -- AB_CTU: up counter of Allen-Bradley
--- PRE = 2
+-- Example, with PRE = 2:
 -- IN  _#_##_#_##_#
 -- (R) ________#___
 -- CU  _#_##_#__#_#
@@ -75,7 +76,7 @@ library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
-entity ab_counters_AB_CTU_PRE99_2 is
+entity ab_counters_AB_CTU is
   port (
     power         : in  std_logic;
     ACC_before    : in  unsigned(15 downto 0);
@@ -87,9 +88,9 @@ entity ab_counters_AB_CTU_PRE99_2 is
     UN            : out std_logic;
     was_up        : out std_logic
   );
-end entity ab_counters_AB_CTU_PRE99_2;
+end entity ab_counters_AB_CTU;
 
-architecture rtl of ab_counters_AB_CTU_PRE99_2 is
+architecture rtl of ab_counters_AB_CTU is
   signal condition : std_logic;
   signal ACC_value : unsigned(15 downto 0);
   signal equal : std_logic;
@@ -107,7 +108,8 @@ begin
 end architecture rtl;
 
 -- CTU: up counter
--- PV = 2
+-- Fitted to PV = 99.
+-- Example, with PV = 2:
 -- IN  _#_##_#_#__#_#_
 -- R   _________##____
 -- Q   ___######____##
@@ -165,7 +167,8 @@ begin
 end architecture rtl;
 
 -- CTD: down counter
--- PV = 2
+-- Fitted to PV = 50.
+-- Example, with PV = 2:
 -- IN  _##_#__#_#_
 -- LD  ______##___
 -- Q   ____##_____
@@ -185,7 +188,7 @@ entity ab_counters_CTD_PV50 is
 end entity ab_counters_CTD_PV50;
 
 architecture rtl of ab_counters_CTD_PV50 is
-  signal CV : unsigned(5 downto 0) := "110010";
+  signal CV : unsigned(5 downto 0) := to_unsigned(50, 6);
   signal was : std_logic := '0';
   signal CV_is_0 : std_logic := '0';
   signal condition : std_logic;
@@ -199,7 +202,7 @@ begin
   condition <= power and not was and not CV_is_0;
   difference <= CV - 1;
   choice <= difference when condition = '1' else CV;
-  CV_next <= "110010" when LD = '1' else choice;
+  CV_next <= to_unsigned(50, 6) when LD = '1' else choice;
   equal <= '1' when CV = 1 else '0';
   choice_2 <= equal when condition = '1' else CV_is_0;
   CV_is_0_next <= '0' when LD = '1' else choice_2;
@@ -210,7 +213,7 @@ begin
   begin
     if rising_edge(clk) then
       if rst = '1' then
-        CV <= "110010";
+        CV <= to_unsigned(50, 6);
         was <= '0';
         CV_is_0 <= '0';
       else
@@ -321,7 +324,7 @@ begin
   c5_1_was_down_next <= not reset_down and c5_1_was_down_2;
 
   -- rung 7 "C5:2 for the end of the range; CTU stops at 32767", ab_counters.ladder:27
-  c5_2: entity work.ab_counters_AB_CTU_PRE99_2
+  c5_2: entity work.ab_counters_AB_CTU
     port map (
       power => count_up,
       ACC_before => c5_2_ACC,

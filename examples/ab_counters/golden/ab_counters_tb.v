@@ -7,7 +7,8 @@
 /* verilator lint_off DECLFILENAME */
 
 // AB_CTU: up counter of Allen-Bradley
-// PRE = 2
+// Fitted to PRE = 99.
+// Example, with PRE = 2:
 // IN  _#_##_#_##_#
 // (R) ________#___
 // CU  _#_##_#__#_#
@@ -29,8 +30,8 @@ module ab_counters_test_AB_CTU_PRE99 (
 endmodule
 
 // AB_CTD: down counter of Allen-Bradley
-// PRE = 1
-// ACC = 2
+// Fitted to PRE = 1.
+// Example, with PRE = 1, ACC = 2:
 // IN    _#_##_#
 // CD    _#_##_#
 // DN    ###____
@@ -51,7 +52,8 @@ module ab_counters_test_AB_CTD_PRE1 (
 endmodule
 
 // AB_CTU: up counter of Allen-Bradley
-// PRE = 2
+// Fitted to PRE = 99.
+// Example, with PRE = 2:
 // IN  _#_##_#_##_#
 // (R) ________#___
 // CU  _#_##_#__#_#
@@ -82,7 +84,8 @@ module ab_counters_test_AB_CTU_PRE99_2 (
 endmodule
 
 // CTU: up counter
-// PV = 2
+// Fitted to PV = 99.
+// Example, with PV = 2:
 // IN  _#_##_#_#__#_#_
 // R   _________##____
 // Q   ___######____##
@@ -98,7 +101,7 @@ module ab_counters_test_CTU_PV99 (
   reg [14:0] CV = 15'd0;
   reg was = 1'b0;
 
-  wire unequal = CV != 15'h7fff;
+  wire unequal = CV != 15'd32767;
   wire [14:0] sum = CV + {14'b0, power & ~was & unequal};
   wire [14:0] CV_next = R ? 15'd0 : sum;
 
@@ -117,7 +120,8 @@ module ab_counters_test_CTU_PV99 (
 endmodule
 
 // CTD: down counter
-// PV = 2
+// Fitted to PV = 50.
+// Example, with PV = 2:
 // IN  _##_#__#_#_
 // LD  ______##___
 // Q   ____##_____

@@ -4,7 +4,8 @@
 -- signals have no value yet.
 
 -- AB_CTU: up counter of Allen-Bradley
--- PRE = 2
+-- Fitted to PRE = 99.
+-- Example, with PRE = 2:
 -- IN  _#_##_#_##_#
 -- (R) ________#___
 -- CU  _#_##_#__#_#
@@ -36,8 +37,8 @@ begin
 end architecture rtl;
 
 -- AB_CTD: down counter of Allen-Bradley
--- PRE = 1
--- ACC = 2
+-- Fitted to PRE = 1.
+-- Example, with PRE = 1, ACC = 2:
 -- IN    _#_##_#
 -- CD    _#_##_#
 -- DN    ###____
@@ -68,7 +69,8 @@ begin
 end architecture rtl;
 
 -- AB_CTU: up counter of Allen-Bradley
--- PRE = 2
+-- Fitted to PRE = 99.
+-- Example, with PRE = 2:
 -- IN  _#_##_#_##_#
 -- (R) ________#___
 -- CU  _#_##_#__#_#
@@ -112,7 +114,8 @@ begin
 end architecture rtl;
 
 -- CTU: up counter
--- PV = 2
+-- Fitted to PV = 99.
+-- Example, with PV = 2:
 -- IN  _#_##_#_#__#_#_
 -- R   _________##____
 -- Q   ___######____##
@@ -161,7 +164,8 @@ begin
 end architecture rtl;
 
 -- CTD: down counter
--- PV = 2
+-- Fitted to PV = 50.
+-- Example, with PV = 2:
 -- IN  _##_#__#_#_
 -- LD  ______##___
 -- Q   ____##_____

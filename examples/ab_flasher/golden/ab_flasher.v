@@ -6,8 +6,8 @@
 /* verilator lint_off DECLFILENAME */
 
 // AB_TON: on-delay timer of Allen-Bradley, BASE = 10 ticks
-// PRE = 3
-// BASE = 1
+// Fitted to PRE = 30.
+// Example, with PRE = 3, BASE = 1:
 // IN  _#######__###_
 // EN  _#######__###_
 // TT  _###______###_
@@ -55,8 +55,8 @@ module ab_flasher_AB_TON_BASE10_PRE30 (
 endmodule
 
 // AB_TON: on-delay timer of Allen-Bradley, BASE = 10 ticks
-// PRE = 3
-// BASE = 1
+// Fitted to PRE = 50.
+// Example, with PRE = 3, BASE = 1:
 // IN  _#######__###_
 // EN  _#######__###_
 // TT  _###______###_
@@ -104,7 +104,8 @@ module ab_flasher_AB_TON_BASE10_PRE50 (
 endmodule
 
 // TON: on-delay timer
-// PT = 3
+// Fitted to PT = 300 ticks.
+// Example, with PT = 3:
 // IN  _#######__###__##_
 // Q   ____####__________
 // ET  001233330001200010
@@ -124,7 +125,7 @@ module ab_flasher_TON_PT300 (
   wire [8:0] sum = ET + 9'd1;
   wire [8:0] choice = condition_2 ? sum : ET;
   wire [8:0] ET_next = condition ? choice : 9'd0;
-  wire equal = ET == 9'h12b;
+  wire equal = ET == 9'd299;
   wire choice_2 = condition_2 ? equal : Q;
   wire Q_next = condition ? choice_2 : 1'b0;
 
@@ -144,7 +145,8 @@ module ab_flasher_TON_PT300 (
 endmodule
 
 // TON: on-delay timer
-// PT = 3
+// Fitted to PT = 500 ticks.
+// Example, with PT = 3:
 // IN  _#######__###__##_
 // Q   ____####__________
 // ET  001233330001200010
@@ -164,7 +166,7 @@ module ab_flasher_TON_PT500 (
   wire [8:0] sum = ET + 9'd1;
   wire [8:0] choice = condition_2 ? sum : ET;
   wire [8:0] ET_next = condition ? choice : 9'd0;
-  wire equal = ET == 9'h1f3;
+  wire equal = ET == 9'd499;
   wire choice_2 = condition_2 ? equal : ET_is_500;
   wire ET_is_500_next = condition ? choice_2 : 1'b0;
 

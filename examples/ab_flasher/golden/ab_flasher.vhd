@@ -1,8 +1,8 @@
 -- Made by hotrail 0.1.0 from ab_flasher.ladder. Do not edit: change the ladder and build again.
 
 -- AB_TON: on-delay timer of Allen-Bradley, BASE = 10 ticks
--- PRE = 3
--- BASE = 1
+-- Fitted to PRE = 30.
+-- Example, with PRE = 3, BASE = 1:
 -- IN  _#######__###_
 -- EN  _#######__###_
 -- TT  _###______###_
@@ -72,8 +72,8 @@ begin
 end architecture rtl;
 
 -- AB_TON: on-delay timer of Allen-Bradley, BASE = 10 ticks
--- PRE = 3
--- BASE = 1
+-- Fitted to PRE = 50.
+-- Example, with PRE = 3, BASE = 1:
 -- IN  _#######__###_
 -- EN  _#######__###_
 -- TT  _###______###_
@@ -143,7 +143,8 @@ begin
 end architecture rtl;
 
 -- TON: on-delay timer
--- PT = 3
+-- Fitted to PT = 300 ticks.
+-- Example, with PT = 3:
 -- IN  _#######__###__##_
 -- Q   ____####__________
 -- ET  001233330001200010
@@ -202,7 +203,8 @@ begin
 end architecture rtl;
 
 -- TON: on-delay timer
--- PT = 3
+-- Fitted to PT = 500 ticks.
+-- Example, with PT = 3:
 -- IN  _#######__###__##_
 -- Q   ____####__________
 -- ET  001233330001200010

@@ -7,6 +7,7 @@
 /* verilator lint_off DECLFILENAME */
 
 // AB_TON: on-delay timer of Allen-Bradley, BASE = 1 tick, SIZE = DINT
+// Fitted to PRE = 500.
 module ab_part_count_test_AB_TON_BASE1_DINT_PRE500 (
   input  wire        clk,
   input  wire        rst,
@@ -40,8 +41,8 @@ module ab_part_count_test_AB_TON_BASE1_DINT_PRE500 (
 endmodule
 
 // AB_CTU: up counter of Allen-Bradley, SIZE = DINT
-// PRE = 5
-// ACC = 32766
+// Fitted to PRE = 1000.
+// Example, with PRE = 5, ACC = 32766:
 // IN        _#_#
 // DN        ####
 // OV        ____
@@ -62,7 +63,8 @@ module ab_part_count_test_AB_CTU_DINT_PRE1000 (
 endmodule
 
 // TON: on-delay timer
-// PT = 3
+// Fitted to PT = 500 ticks.
+// Example, with PT = 3:
 // IN  _#######__###__##_
 // Q   ____####__________
 // ET  001233330001200010
@@ -82,7 +84,7 @@ module ab_part_count_test_TON_PT500 (
   wire [8:0] sum = ET + 9'd1;
   wire [8:0] choice = condition_2 ? sum : ET;
   wire [8:0] ET_next = condition ? choice : 9'd0;
-  wire equal = ET == 9'h1f3;
+  wire equal = ET == 9'd499;
   wire choice_2 = condition_2 ? equal : ET_is_500;
   wire ET_is_500_next = condition ? choice_2 : 1'b0;
 
@@ -102,7 +104,8 @@ module ab_part_count_test_TON_PT500 (
 endmodule
 
 // CTU: up counter
-// PV = 2
+// Fitted to PV = 1000.
+// Example, with PV = 2:
 // IN  _#_##_#_#__#_#_
 // R   _________##____
 // Q   ___######____##
@@ -118,7 +121,7 @@ module ab_part_count_test_CTU_PV1000 (
   reg [14:0] CV = 15'd0;
   reg was = 1'b0;
 
-  wire unequal = CV != 15'h7fff;
+  wire unequal = CV != 15'd32767;
   wire [14:0] sum = CV + {14'b0, power & ~was & unequal};
   wire [14:0] CV_next = R ? 15'd0 : sum;
 

@@ -4,6 +4,7 @@
 -- signals have no value yet.
 
 -- AB_TON: on-delay timer of Allen-Bradley, BASE = 1 tick, SIZE = DINT
+-- Fitted to PRE = 500.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -53,8 +54,8 @@ begin
 end architecture rtl;
 
 -- AB_CTU: up counter of Allen-Bradley, SIZE = DINT
--- PRE = 5
--- ACC = 32766
+-- Fitted to PRE = 1000.
+-- Example, with PRE = 5, ACC = 32766:
 -- IN        _#_#
 -- DN        ####
 -- OV        ____
@@ -85,7 +86,8 @@ begin
 end architecture rtl;
 
 -- TON: on-delay timer
--- PT = 3
+-- Fitted to PT = 500 ticks.
+-- Example, with PT = 3:
 -- IN  _#######__###__##_
 -- Q   ____####__________
 -- ET  001233330001200010
@@ -144,7 +146,8 @@ begin
 end architecture rtl;
 
 -- CTU: up counter
--- PV = 2
+-- Fitted to PV = 1000.
+-- Example, with PV = 2:
 -- IN  _#_##_#_#__#_#_
 -- R   _________##____
 -- Q   ___######____##

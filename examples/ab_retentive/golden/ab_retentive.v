@@ -6,8 +6,7 @@
 /* verilator lint_off DECLFILENAME */
 
 // AB_RTO: retentive timer of Allen-Bradley, BASE = 100 ticks
-// PRE = 3
-// BASE = 1
+// Example, with PRE = 3, BASE = 1:
 // IN  _##_###____#_##
 // (R) ____________#__
 // EN  _##_###____#_##
@@ -59,7 +58,7 @@ module ab_retentive_AB_RTO_BASE100 (
 endmodule
 
 // TONR: retentive on-delay timer
-// PT = 3
+// Example, with PT = 3:
 // IN  _##_###____######
 // R   _________#___#___
 // Q   ______###_______#
@@ -152,8 +151,8 @@ module ab_retentive (
   wire siemens_service_next = t3_Q;
 
   // rung 5, ab_retentive.ladder:23
-  wire [3:0] t4_2_PRE_next = longer ? 4'h8 : t4_2_PRE;
-  wire [9:0] limit_next = longer ? 10'h320 : limit;
+  wire [3:0] t4_2_PRE_next = longer ? 4'd8 : t4_2_PRE;
+  wire [9:0] limit_next = longer ? 10'd800 : limit;
 
   assign service = service_reg;
   assign siemens_service = siemens_service_reg;

@@ -1,8 +1,7 @@
 -- Made by hotrail 0.1.0 from ab_retentive.ladder. Do not edit: change the ladder and build again.
 
 -- AB_RTO: retentive timer of Allen-Bradley, BASE = 100 ticks
--- PRE = 3
--- BASE = 1
+-- Example, with PRE = 3, BASE = 1:
 -- IN  _##_###____#_##
 -- (R) ____________#__
 -- EN  _##_###____#_##
@@ -77,7 +76,7 @@ begin
 end architecture rtl;
 
 -- TONR: retentive on-delay timer
--- PT = 3
+-- Example, with PT = 3:
 -- IN  _##_###____######
 -- R   _________#___#___
 -- Q   ______###_______#
@@ -204,8 +203,8 @@ begin
   siemens_service_next <= t3_Q;
 
   -- rung 5, ab_retentive.ladder:23
-  t4_2_PRE_next <= x"8" when longer = '1' else t4_2_PRE;
-  limit_next <= "1100100000" when longer = '1' else limit;
+  t4_2_PRE_next <= to_unsigned(8, 4) when longer = '1' else t4_2_PRE;
+  limit_next <= to_unsigned(800, 10) when longer = '1' else limit;
 
   service <= service_reg;
   siemens_service <= siemens_service_reg;

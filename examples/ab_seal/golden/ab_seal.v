@@ -6,6 +6,7 @@
 /* verilator lint_off DECLFILENAME */
 
 // AB_TON: on-delay timer of Allen-Bradley, BASE = 1 tick, SIZE = DINT
+// Fitted to PRE = 2000.
 module ab_seal_AB_TON_BASE1_DINT_PRE2000 (
   input  wire        clk,
   input  wire        rst,
@@ -43,7 +44,8 @@ module ab_seal_AB_TON_BASE1_DINT_PRE2000 (
 endmodule
 
 // TON: on-delay timer
-// PT = 3
+// Fitted to PT = 2000 ticks.
+// Example, with PT = 3:
 // IN  _#######__###__##_
 // Q   ____####__________
 // ET  001233330001200010
@@ -63,7 +65,7 @@ module ab_seal_TON_PT2000 (
   wire [10:0] sum = ET + 11'd1;
   wire [10:0] choice = condition_2 ? sum : ET;
   wire [10:0] ET_next = condition ? choice : 11'd0;
-  wire equal = ET == 11'h7cf;
+  wire equal = ET == 11'd1999;
   wire choice_2 = condition_2 ? equal : ET_is_2000;
   wire ET_is_2000_next = condition ? choice_2 : 1'b0;
 

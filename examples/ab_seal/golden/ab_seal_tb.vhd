@@ -4,6 +4,7 @@
 -- signals have no value yet.
 
 -- AB_TON: on-delay timer of Allen-Bradley, BASE = 1 tick, SIZE = DINT
+-- Fitted to PRE = 2000.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -57,7 +58,8 @@ begin
 end architecture rtl;
 
 -- TON: on-delay timer
--- PT = 3
+-- Fitted to PT = 2000 ticks.
+-- Example, with PT = 3:
 -- IN  _#######__###__##_
 -- Q   ____####__________
 -- ET  001233330001200010

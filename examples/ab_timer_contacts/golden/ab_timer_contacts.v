@@ -6,8 +6,7 @@
 /* verilator lint_off DECLFILENAME */
 
 // AB_TON: on-delay timer of Allen-Bradley, BASE = 10 ticks
-// PRE = 3
-// BASE = 1
+// Example, with PRE = 3, BASE = 1:
 // IN  _#######__###_
 // EN  _#######__###_
 // TT  _###______###_
@@ -62,7 +61,7 @@ module ab_timer_contacts_AB_TON_BASE10 (
 endmodule
 
 // TON: on-delay timer
-// PT = 3
+// Example, with PT = 3:
 // IN  _#######__###__##_
 // Q   ____####__________
 // ET  001233330001200010
@@ -175,8 +174,8 @@ module ab_timer_contacts (
   wire siemens_done_next = t1_Q;
 
   // rung 9 "from 0.5 s to 5 s", ab_timer_contacts.ladder:33
-  wire [6:0] t4_0_PRE_next = slower ? 7'h74 : t4_0_PRE;
-  wire [12:0] preset_next = slower ? 13'h1388 : preset;
+  wire [6:0] t4_0_PRE_next = slower ? 7'd116 : t4_0_PRE;
+  wire [12:0] preset_next = slower ? 13'd5000 : preset;
 
   assign enabled = enabled_reg;
   assign timing = timing_reg;

@@ -1,8 +1,7 @@
 -- Made by hotrail 0.1.0 from ab_timer_contacts.ladder. Do not edit: change the ladder and build again.
 
 -- AB_TON: on-delay timer of Allen-Bradley, BASE = 10 ticks
--- PRE = 3
--- BASE = 1
+-- Example, with PRE = 3, BASE = 1:
 -- IN  _#######__###_
 -- EN  _#######__###_
 -- TT  _###______###_
@@ -81,7 +80,7 @@ begin
 end architecture rtl;
 
 -- TON: on-delay timer
--- PT = 3
+-- Example, with PT = 3:
 -- IN  _#######__###__##_
 -- Q   ____####__________
 -- ET  001233330001200010
@@ -231,8 +230,8 @@ begin
   siemens_done_next <= t1_Q;
 
   -- rung 9 "from 0.5 s to 5 s", ab_timer_contacts.ladder:33
-  t4_0_PRE_next <= "1110100" when slower = '1' else t4_0_PRE;
-  preset_next <= "1001110001000" when slower = '1' else preset;
+  t4_0_PRE_next <= to_unsigned(116, 7) when slower = '1' else t4_0_PRE;
+  preset_next <= to_unsigned(5000, 13) when slower = '1' else preset;
 
   enabled <= enabled_reg;
   timing <= timing_reg;

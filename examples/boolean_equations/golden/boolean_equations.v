@@ -6,7 +6,8 @@
 /* verilator lint_off DECLFILENAME */
 
 // CTU: up counter
-// PV = 2
+// Fitted to PV = 10.
+// Example, with PV = 2:
 // IN  _#_##_#_#__#_#_
 // R   _________##____
 // Q   ___######____##
@@ -21,9 +22,9 @@ module boolean_equations_CTU_PV10 (
   reg was = 1'b0;
 
   wire condition = power & ~was;
-  wire equal = CV == 4'ha;
+  wire equal = CV == 4'd10;
   wire [3:0] CV_next = CV + {3'b0, condition & ~equal};
-  wire equal_2 = CV == 4'h9;
+  wire equal_2 = CV == 4'd9;
 
   assign Q = condition & equal_2 | equal;
 

@@ -1,7 +1,8 @@
 -- Made by hotrail 0.1.0 from boolean_equations.ladder. Do not edit: change the ladder and build again.
 
 -- CTU: up counter
--- PV = 2
+-- Fitted to PV = 10.
+-- Example, with PV = 2:
 -- IN  _#_##_#_#__#_#_
 -- R   _________##____
 -- Q   ___######____##

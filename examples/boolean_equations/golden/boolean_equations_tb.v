@@ -7,7 +7,8 @@
 /* verilator lint_off DECLFILENAME */
 
 // CTU: up counter
-// PV = 2
+// Fitted to PV = 10.
+// Example, with PV = 2:
 // IN  _#_##_#_#__#_#_
 // R   _________##____
 // Q   ___######____##
@@ -22,7 +23,7 @@ module boolean_equations_test_CTU_PV10 (
   reg [14:0] CV = 15'd0;
   reg was = 1'b0;
 
-  wire unequal = CV != 15'h7fff;
+  wire unequal = CV != 15'd32767;
   wire [14:0] CV_next = CV + {14'b0, power & ~was & unequal};
 
   assign Q = CV_next >= 15'd10;

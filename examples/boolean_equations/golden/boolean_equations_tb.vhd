@@ -4,7 +4,8 @@
 -- signals have no value yet.
 
 -- CTU: up counter
--- PV = 2
+-- Fitted to PV = 10.
+-- Example, with PV = 2:
 -- IN  _#_##_#_#__#_#_
 -- R   _________##____
 -- Q   ___######____##

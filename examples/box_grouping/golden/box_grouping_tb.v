@@ -7,7 +7,8 @@
 /* verilator lint_off DECLFILENAME */
 
 // TOF: off-delay timer
-// PT = 3
+// Fitted to PT = 1000 ticks.
+// Example, with PT = 3:
 // IN  _##_____#__#_____
 // Q   _#####__#######__
 // ET  00001233001001233
@@ -22,10 +23,10 @@ module box_grouping_test_TOF_PT1000 (
   reg run = 1'b0;
   reg was = 1'b0;
 
-  wire equal = ET == 10'h3e8;
+  wire equal = ET == 10'd1000;
   wire [9:0] sum = ET + {9'b0, tick & ~equal};
   wire [9:0] choice = was ? 10'd0 : sum;
-  wire equal_2 = ET == 10'h3e7;
+  wire equal_2 = ET == 10'd999;
   wire [9:0] choice_2 = run ? choice : ET;
   wire [9:0] ET_next = power ? 10'd0 : choice_2;
   wire run_next = power | run & ~(~was & (tick & equal_2 | equal));
@@ -46,7 +47,8 @@ module box_grouping_test_TOF_PT1000 (
 endmodule
 
 // CTUD: up-down counter
-// PV = 2
+// Fitted to PV = 4.
+// Example, with PV = 2:
 // IN  _#_#__#______
 // CD  ____#_#_#____
 // R   ___________##
@@ -73,7 +75,7 @@ module box_grouping_test_CTUD_PV4 (
   wire unequal = CV != 16'd32767;
   wire unequal_2 = CV != 16'h8000;
   wire [1:0] choice =
-      (condition_2 & ~condition & unequal_2) ? 2'h3 : {1'b0, condition & ~condition_2 & unequal};
+      (condition_2 & ~condition & unequal_2) ? 2'd3 : {1'b0, condition & ~condition_2 & unequal};
   wire [15:0] sum = CV + {{14{choice[1]}}, choice};
   wire [15:0] CV_next = R ? 16'd0 : sum;
 

@@ -4,7 +4,8 @@
 -- signals have no value yet.
 
 -- TOF: off-delay timer
--- PT = 3
+-- Fitted to PT = 1000 ticks.
+-- Example, with PT = 3:
 -- IN  _##_____#__#_____
 -- Q   _#####__#######__
 -- ET  00001233001001233
@@ -61,7 +62,8 @@ begin
 end architecture rtl;
 
 -- CTUD: up-down counter
--- PV = 2
+-- Fitted to PV = 4.
+-- Example, with PV = 2:
 -- IN  _#_#__#______
 -- CD  ____#_#_#____
 -- R   ___________##
@@ -103,7 +105,7 @@ begin
   unequal <= '1' when CV /= 32767 else '0';
   unequal_2 <= '1' when CV /= 32768 else '0';
   choice <=
-      "11" when (condition_2 and not condition and unequal_2) = '1'
+      to_unsigned(3, 2) when (condition_2 and not condition and unequal_2) = '1'
       else to_unsigned(0, 1) & (condition and not condition_2 and unequal);
   sum <= CV + unsigned(resize(signed(choice), 16));
   CV_next <= to_unsigned(0, 16) when R = '1' else sum;

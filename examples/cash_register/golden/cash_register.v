@@ -6,7 +6,7 @@
 /* verilator lint_off DECLFILENAME */
 
 // CTUD: up-down counter
-// PV = 2
+// Example, with PV = 2:
 // IN  _#_#__#______
 // CD  ____#_#_#____
 // R   ___________##
@@ -14,7 +14,7 @@
 // QU  ___#______#__
 // QD  #_______##_##
 // CV  0112111100200
-module cash_register_CTUD_PV0 (
+module cash_register_CTUD (
   input  wire        clk,
   input  wire        rst,
   input  wire        power,
@@ -31,7 +31,7 @@ module cash_register_CTUD_PV0 (
   wire unequal = CV_reg != 16'd32767;
   wire unequal_2 = CV_reg != 16'h8000;
   wire [1:0] choice =
-      (condition_2 & ~condition & unequal_2) ? 2'h3 : {1'b0, condition & ~condition_2 & unequal};
+      (condition_2 & ~condition & unequal_2) ? 2'd3 : {1'b0, condition & ~condition_2 & unequal};
   wire [15:0] sum = CV_reg + {{14{choice[1]}}, choice};
   wire [15:0] CV_next = R ? 16'd0 : sum;
 
@@ -123,7 +123,7 @@ module cash_register (
   // rung 1 "a key: one in a scan, the upper one of several", cash_register.ladder:52
 
   // rung 2, cash_register.ladder:54
-  wire [3:0] entry_rung2 = (key_drink & ~key_drink_before) ? 4'd5 : 4'hf;
+  wire [3:0] entry_rung2 = (key_drink & ~key_drink_before) ? 4'd5 : 4'd15;
 
   // rung 3, cash_register.ladder:55
   wire [3:0] entry_rung3 = (key_fries & ~key_fries_before) ? 4'd4 : entry_rung2;
@@ -141,10 +141,10 @@ module cash_register (
   wire [3:0] entry_rung7 = (key_combo & ~key_combo_before) ? 4'd0 : entry_rung6;
 
   // rung 8, cash_register.ladder:60
-  wire [3:0] entry = (paid_reg | new_order) ? 4'hf : entry_rung7;
+  wire [3:0] entry = (paid_reg | new_order) ? 4'd15 : entry_rung7;
 
   // rung 9 "remember what was entered", cash_register.ladder:62
-  wire rung9_unequal = entry != 4'hf;
+  wire rung9_unequal = entry != 4'd15;
   wire rung9_equal = place == 3'd0;
   wire [2:0] last_0_next = (rung9_unequal & rung9_equal) ? entry[2:0] : last_0;
   wire rung9_equal_2 = place == 3'd1;
@@ -153,30 +153,30 @@ module cash_register (
   wire [2:0] last_2_next = (rung9_unequal & rung9_equal_3) ? entry[2:0] : last_2;
   wire rung9_equal_4 = place == 3'd3;
   wire [2:0] last_3_next = (rung9_unequal & rung9_equal_4) ? entry[2:0] : last_3;
-  wire rung9_equal_5 = place == 3'h4;
+  wire rung9_equal_5 = place == 3'd4;
   wire [2:0] last_4_next = (rung9_unequal & rung9_equal_5) ? entry[2:0] : last_4;
-  wire rung9_equal_6 = place == 3'h5;
+  wire rung9_equal_6 = place == 3'd5;
   wire [2:0] last_5_next = (rung9_unequal & rung9_equal_6) ? entry[2:0] : last_5;
-  wire rung9_equal_7 = place == 3'h6;
+  wire rung9_equal_7 = place == 3'd6;
   wire [2:0] last_6_next = (rung9_unequal & rung9_equal_7) ? entry[2:0] : last_6;
-  wire rung9_equal_8 = place == 3'h7;
+  wire rung9_equal_8 = place == 3'd7;
   wire [2:0] last_7_next = (rung9_unequal & rung9_equal_8) ? entry[2:0] : last_7;
   wire [3:0] rung9_sum = {1'b0, place} + 4'd1;
   wire [2:0] place_rung9 = rung9_unequal ? rung9_sum[2:0] : place;
   wire [15:0] rung9_sum_2 = kept + 16'd1;
   wire rung9_greater = rung9_sum_2 > 16'd8;
-  wire [3:0] rung9_choice = rung9_greater ? 4'h8 : rung9_sum_2[3:0];
+  wire [3:0] rung9_choice = rung9_greater ? 4'd8 : rung9_sum_2[3:0];
   wire [15:0] kept_rung9 = rung9_unequal ? {12'b0, rung9_choice} : kept;
 
   // rung 10 "take the last entry back", cash_register.ladder:66
 
   // rung 11, cash_register.ladder:68
-  wire rung11_equal = entry == 4'hf;
+  wire rung11_equal = entry == 4'd15;
   wire rung11_unequal = kept_rung9 != 16'd0;
   wire rung11_power = cancel_last & ~cancel_last_before & ~paid_reg & rung11_equal & rung11_unequal;
   wire [15:0] rung11_difference = kept_rung9 - 16'd1;
   wire [15:0] kept_rung11 = rung11_power ? rung11_difference : kept_rung9;
-  wire [3:0] rung11_sum = {1'b0, place_rung9} + 4'h8;
+  wire [3:0] rung11_sum = {1'b0, place_rung9} + 4'd8;
   wire [3:0] rung11_difference_2 = rung11_sum - 4'd1;
   wire [2:0] place_next = rung11_power ? rung11_difference_2[2:0] : place_rung9;
   wire [2:0] rung11_choice = place_next[0] ? last_1_next : last_0_next;
@@ -186,7 +186,7 @@ module cash_register (
   wire [2:0] rung11_choice_5 = place_next[1] ? rung11_choice_2 : rung11_choice;
   wire [2:0] rung11_choice_6 = place_next[1] ? rung11_choice_4 : rung11_choice_3;
   wire [2:0] rung11_choice_7 = place_next[2] ? rung11_choice_6 : rung11_choice_5;
-  wire [3:0] cancelled = rung11_power ? {1'b0, rung11_choice_7} : 4'hf;
+  wire [3:0] cancelled = rung11_power ? {1'b0, rung11_choice_7} : 4'd15;
 
   // rung 12 "new order", cash_register.ladder:72
   wire [15:0] kept_next = new_order ? 16'd0 : kept_rung11;
@@ -196,7 +196,7 @@ module cash_register (
   wire count_combo_power = entry == 4'd0;
   wire count_combo_CD = cancelled == 4'd0;
   wire [15:0] count_combo_CV;
-  cash_register_CTUD_PV0 count_combo (
+  cash_register_CTUD count_combo (
     .clk(clk),
     .rst(rst),
     .power(count_combo_power),
@@ -209,7 +209,7 @@ module cash_register (
   wire count_double_power = entry == 4'd1;
   wire count_double_CD = cancelled == 4'd1;
   wire [15:0] count_double_CV;
-  cash_register_CTUD_PV0 count_double (
+  cash_register_CTUD count_double (
     .clk(clk),
     .rst(rst),
     .power(count_double_power),
@@ -222,7 +222,7 @@ module cash_register (
   wire count_junior_power = entry == 4'd2;
   wire count_junior_CD = cancelled == 4'd2;
   wire [15:0] count_junior_CV;
-  cash_register_CTUD_PV0 count_junior (
+  cash_register_CTUD count_junior (
     .clk(clk),
     .rst(rst),
     .power(count_junior_power),
@@ -235,7 +235,7 @@ module cash_register (
   wire count_burger_power = entry == 4'd3;
   wire count_burger_CD = cancelled == 4'd3;
   wire [15:0] count_burger_CV;
-  cash_register_CTUD_PV0 count_burger (
+  cash_register_CTUD count_burger (
     .clk(clk),
     .rst(rst),
     .power(count_burger_power),
@@ -248,7 +248,7 @@ module cash_register (
   wire count_fries_power = entry == 4'd4;
   wire count_fries_CD = cancelled == 4'd4;
   wire [15:0] count_fries_CV;
-  cash_register_CTUD_PV0 count_fries (
+  cash_register_CTUD count_fries (
     .clk(clk),
     .rst(rst),
     .power(count_fries_power),
@@ -261,7 +261,7 @@ module cash_register (
   wire count_drink_power = entry == 4'd5;
   wire count_drink_CD = cancelled == 4'd5;
   wire [15:0] count_drink_CV;
-  cash_register_CTUD_PV0 count_drink (
+  cash_register_CTUD count_drink (
     .clk(clk),
     .rst(rst),
     .power(count_drink_power),

@@ -1,7 +1,7 @@
 -- Made by hotrail 0.1.0 from cash_register.ladder. Do not edit: change the ladder and build again.
 
 -- CTUD: up-down counter
--- PV = 2
+-- Example, with PV = 2:
 -- IN  _#_#__#______
 -- CD  ____#_#_#____
 -- R   ___________##
@@ -13,7 +13,7 @@ library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
-entity cash_register_CTUD_PV0 is
+entity cash_register_CTUD is
   port (
     clk   : in  std_logic;
     rst   : in  std_logic;
@@ -22,9 +22,9 @@ entity cash_register_CTUD_PV0 is
     R     : in  std_logic;
     CV    : out unsigned(15 downto 0)
   );
-end entity cash_register_CTUD_PV0;
+end entity cash_register_CTUD;
 
-architecture rtl of cash_register_CTUD_PV0 is
+architecture rtl of cash_register_CTUD is
   signal CV_reg : unsigned(15 downto 0) := (others => '0');
   signal was : std_logic := '0';
   signal was_down : std_logic := '0';
@@ -41,7 +41,7 @@ begin
   unequal <= '1' when CV_reg /= 32767 else '0';
   unequal_2 <= '1' when CV_reg /= 32768 else '0';
   choice <=
-      "11" when (condition_2 and not condition and unequal_2) = '1'
+      to_unsigned(3, 2) when (condition_2 and not condition and unequal_2) = '1'
       else to_unsigned(0, 1) & (condition and not condition_2 and unequal);
   sum <= CV_reg + unsigned(resize(signed(choice), 16));
   CV_next <= to_unsigned(0, 16) when R = '1' else sum;
@@ -291,7 +291,8 @@ begin
   -- rung 1 "a key: one in a scan, the upper one of several", cash_register.ladder:52
 
   -- rung 2, cash_register.ladder:54
-  entry_rung2 <= to_unsigned(5, 4) when (key_drink and not key_drink_before) = '1' else x"F";
+  entry_rung2 <=
+      to_unsigned(5, 4) when (key_drink and not key_drink_before) = '1' else to_unsigned(15, 4);
 
   -- rung 3, cash_register.ladder:55
   entry_rung3 <= to_unsigned(4, 4) when (key_fries and not key_fries_before) = '1' else entry_rung2;
@@ -312,7 +313,7 @@ begin
   entry_rung7 <= to_unsigned(0, 4) when (key_combo and not key_combo_before) = '1' else entry_rung6;
 
   -- rung 8, cash_register.ladder:60
-  entry <= x"F" when (paid_reg or new_order) = '1' else entry_rung7;
+  entry <= to_unsigned(15, 4) when (paid_reg or new_order) = '1' else entry_rung7;
 
   -- rung 9 "remember what was entered", cash_register.ladder:62
   rung9_unequal <= '1' when entry /= 15 else '0';
@@ -336,7 +337,7 @@ begin
   place_rung9 <= rung9_sum(2 downto 0) when rung9_unequal = '1' else place;
   rung9_sum_2 <= kept + 1;
   rung9_greater <= '1' when rung9_sum_2 > 8 else '0';
-  rung9_choice <= x"8" when rung9_greater = '1' else rung9_sum_2(3 downto 0);
+  rung9_choice <= to_unsigned(8, 4) when rung9_greater = '1' else rung9_sum_2(3 downto 0);
   kept_rung9 <= resize(rung9_choice, 16) when rung9_unequal = '1' else kept;
 
   -- rung 10 "take the last entry back", cash_register.ladder:66
@@ -358,7 +359,7 @@ begin
   rung11_choice_5 <= rung11_choice_2 when place_next(1) = '1' else rung11_choice;
   rung11_choice_6 <= rung11_choice_4 when place_next(1) = '1' else rung11_choice_3;
   rung11_choice_7 <= rung11_choice_6 when place_next(2) = '1' else rung11_choice_5;
-  cancelled <= resize(rung11_choice_7, 4) when rung11_power = '1' else x"F";
+  cancelled <= resize(rung11_choice_7, 4) when rung11_power = '1' else to_unsigned(15, 4);
 
   -- rung 12 "new order", cash_register.ladder:72
   kept_next <= to_unsigned(0, 16) when new_order = '1' else kept_rung11;
@@ -367,7 +368,7 @@ begin
   -- rung 13 "count", cash_register.ladder:75
   count_combo_power <= '1' when entry = 0 else '0';
   count_combo_CD <= '1' when cancelled = 0 else '0';
-  count_combo: entity work.cash_register_CTUD_PV0
+  count_combo: entity work.cash_register_CTUD
     port map (
       clk => clk,
       rst => rst,
@@ -380,7 +381,7 @@ begin
   -- rung 14, cash_register.ladder:77
   count_double_power <= '1' when entry = 1 else '0';
   count_double_CD <= '1' when cancelled = 1 else '0';
-  count_double: entity work.cash_register_CTUD_PV0
+  count_double: entity work.cash_register_CTUD
     port map (
       clk => clk,
       rst => rst,
@@ -393,7 +394,7 @@ begin
   -- rung 15, cash_register.ladder:78
   count_junior_power <= '1' when entry = 2 else '0';
   count_junior_CD <= '1' when cancelled = 2 else '0';
-  count_junior: entity work.cash_register_CTUD_PV0
+  count_junior: entity work.cash_register_CTUD
     port map (
       clk => clk,
       rst => rst,
@@ -406,7 +407,7 @@ begin
   -- rung 16, cash_register.ladder:79
   count_burger_power <= '1' when entry = 3 else '0';
   count_burger_CD <= '1' when cancelled = 3 else '0';
-  count_burger: entity work.cash_register_CTUD_PV0
+  count_burger: entity work.cash_register_CTUD
     port map (
       clk => clk,
       rst => rst,
@@ -419,7 +420,7 @@ begin
   -- rung 17, cash_register.ladder:80
   count_fries_power <= '1' when entry = 4 else '0';
   count_fries_CD <= '1' when cancelled = 4 else '0';
-  count_fries: entity work.cash_register_CTUD_PV0
+  count_fries: entity work.cash_register_CTUD
     port map (
       clk => clk,
       rst => rst,
@@ -432,7 +433,7 @@ begin
   -- rung 18, cash_register.ladder:81
   count_drink_power <= '1' when entry = 5 else '0';
   count_drink_CD <= '1' when cancelled = 5 else '0';
-  count_drink: entity work.cash_register_CTUD_PV0
+  count_drink: entity work.cash_register_CTUD
     port map (
       clk => clk,
       rst => rst,

@@ -6,7 +6,8 @@
 /* verilator lint_off DECLFILENAME */
 
 // TON: on-delay timer
-// PT = 3
+// Fitted to PT = 30 ticks.
+// Example, with PT = 3:
 // IN  _#######__###__##_
 // Q   ____####__________
 // ET  001233330001200010
@@ -26,7 +27,7 @@ module conveyor_build_up_TON_PT30 (
   wire [4:0] sum = ET + 5'd1;
   wire [4:0] choice = condition_2 ? sum : ET;
   wire [4:0] ET_next = condition ? choice : 5'd0;
-  wire equal = ET == 5'h1d;
+  wire equal = ET == 5'd29;
   wire choice_2 = condition_2 ? equal : ET_is_30;
   wire ET_is_30_next = condition ? choice_2 : 1'b0;
 
@@ -46,7 +47,8 @@ module conveyor_build_up_TON_PT30 (
 endmodule
 
 // TON: on-delay timer
-// PT = 3
+// Fitted to PT = 50 ticks.
+// Example, with PT = 3:
 // IN  _#######__###__##_
 // Q   ____####__________
 // ET  001233330001200010
@@ -66,7 +68,7 @@ module conveyor_build_up_TON_PT50 (
   wire [5:0] sum = ET + 6'd1;
   wire [5:0] choice = condition_2 ? sum : ET;
   wire [5:0] ET_next = condition ? choice : 6'd0;
-  wire equal = ET == 6'h31;
+  wire equal = ET == 6'd49;
   wire choice_2 = condition_2 ? equal : ET_is_50;
   wire ET_is_50_next = condition ? choice_2 : 1'b0;
 

@@ -6,7 +6,8 @@
 /* verilator lint_off DECLFILENAME */
 
 // TONR: retentive on-delay timer
-// PT = 3
+// Fitted to PT = 100 ticks.
+// Example, with PT = 3:
 // IN  _##_###____######
 // R   _________#___#___
 // Q   ______###_______#
@@ -28,7 +29,7 @@ module conveyor_line_TONR_PT100 (
   wire [6:0] sum = ET + 7'd1;
   wire [6:0] choice = condition ? sum : ET;
   wire [6:0] ET_next = R ? 7'd0 : choice;
-  wire equal = ET == 7'h63;
+  wire equal = ET == 7'd99;
   wire choice_2 = condition ? equal : ET_is_100;
   wire ET_is_100_next = R ? 1'b0 : choice_2;
   wire Q_next = ~R & ET_is_100_next;
@@ -51,7 +52,8 @@ module conveyor_line_TONR_PT100 (
 endmodule
 
 // TON: on-delay timer
-// PT = 3
+// Fitted to PT = 40 ticks.
+// Example, with PT = 3:
 // IN  _#######__###__##_
 // Q   ____####__________
 // ET  001233330001200010
@@ -71,7 +73,7 @@ module conveyor_line_TON_PT40 (
   wire [5:0] sum = ET + 6'd1;
   wire [5:0] choice = condition_2 ? sum : ET;
   wire [5:0] ET_next = condition ? choice : 6'd0;
-  wire equal = ET == 6'h27;
+  wire equal = ET == 6'd39;
   wire choice_2 = condition_2 ? equal : ET_is_40;
   wire ET_is_40_next = condition ? choice_2 : 1'b0;
 

@@ -1,7 +1,8 @@
 -- Made by hotrail 0.1.0 from conveyor_line.ladder. Do not edit: change the ladder and build again.
 
 -- TONR: retentive on-delay timer
--- PT = 3
+-- Fitted to PT = 100 ticks.
+-- Example, with PT = 3:
 -- IN  _##_###____######
 -- R   _________#___#___
 -- Q   ______###_______#
@@ -65,7 +66,8 @@ begin
 end architecture rtl;
 
 -- TON: on-delay timer
--- PT = 3
+-- Fitted to PT = 40 ticks.
+-- Example, with PT = 3:
 -- IN  _#######__###__##_
 -- Q   ____####__________
 -- ET  001233330001200010

@@ -6,7 +6,8 @@
 /* verilator lint_off DECLFILENAME */
 
 // TONR: retentive on-delay timer
-// PT = 3
+// Fitted to PT = 120 ticks.
+// Example, with PT = 3:
 // IN  _##_###____######
 // R   _________#___#___
 // Q   ______###_______#
@@ -29,7 +30,7 @@ module conveyor_run_out_TONR_PT120 (
   wire [6:0] sum = ET + 7'd1;
   wire [6:0] choice = condition ? sum : ET;
   wire [6:0] ET_next = R ? 7'd0 : choice;
-  wire equal = ET == 7'h77;
+  wire equal = ET == 7'd119;
   wire choice_2 = condition ? equal : ET_is_120;
   wire ET_is_120_next = R ? 1'b0 : choice_2;
   wire Q_next = ~R & ET_is_120_next;

@@ -1,7 +1,8 @@
 -- Made by hotrail 0.1.0 from conveyor_run_out.ladder. Do not edit: change the ladder and build again.
 
 -- TONR: retentive on-delay timer
--- PT = 3
+-- Fitted to PT = 120 ticks.
+-- Example, with PT = 3:
 -- IN  _##_###____######
 -- R   _________#___#___
 -- Q   ______###_______#

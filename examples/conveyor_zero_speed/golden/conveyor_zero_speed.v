@@ -6,7 +6,8 @@
 /* verilator lint_off DECLFILENAME */
 
 // TON: on-delay timer
-// PT = 3
+// Fitted to PT = 25 ticks.
+// Example, with PT = 3:
 // IN  _#######__###__##_
 // Q   ____####__________
 // ET  001233330001200010
@@ -26,7 +27,7 @@ module conveyor_zero_speed_TON_PT25 (
   wire [4:0] sum = ET + 5'd1;
   wire [4:0] choice = condition_2 ? sum : ET;
   wire [4:0] ET_next = condition ? choice : 5'd0;
-  wire equal = ET == 5'h18;
+  wire equal = ET == 5'd24;
   wire choice_2 = condition_2 ? equal : Q;
   wire Q_next = condition ? choice_2 : 1'b0;
 

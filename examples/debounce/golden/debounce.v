@@ -6,7 +6,8 @@
 /* verilator lint_off DECLFILENAME */
 
 // TON: on-delay timer
-// PT = 3
+// Fitted to PT = 50 ticks.
+// Example, with PT = 3:
 // IN  _#######__###__##_
 // Q   ____####__________
 // ET  001233330001200010
@@ -26,7 +27,7 @@ module debounce_TON_PT50 (
   wire [5:0] sum = ET + 6'd1;
   wire [5:0] choice = condition_2 ? sum : ET;
   wire [5:0] ET_next = condition ? choice : 6'd0;
-  wire equal = ET == 6'h31;
+  wire equal = ET == 6'd49;
   wire choice_2 = condition_2 ? equal : ET_is_50;
   wire ET_is_50_next = condition ? choice_2 : 1'b0;
 
@@ -46,7 +47,8 @@ module debounce_TON_PT50 (
 endmodule
 
 // TOF: off-delay timer
-// PT = 3
+// Fitted to PT = 5 ticks.
+// Example, with PT = 3:
 // IN  _##_____#__#_____
 // Q   _#####__#######__
 // ET  00001233001001233
@@ -61,10 +63,10 @@ module debounce_TOF_PT5 (
   reg run = 1'b0;
   reg was = 1'b0;
 
-  wire equal = ET == 3'h5;
+  wire equal = ET == 3'd5;
   wire [2:0] sum = ET + {2'b0, tick & ~equal};
   wire [2:0] choice = was ? 3'd0 : sum;
-  wire equal_2 = ET == 3'h4;
+  wire equal_2 = ET == 3'd4;
   wire [2:0] choice_2 = run ? choice : ET;
   wire [2:0] ET_next = power ? 3'd0 : choice_2;
   wire run_next = power | run & ~(~was & (tick & equal_2 | equal));

@@ -1,7 +1,8 @@
 -- Made by hotrail 0.1.0 from debounce.ladder. Do not edit: change the ladder and build again.
 
 -- TON: on-delay timer
--- PT = 3
+-- Fitted to PT = 50 ticks.
+-- Example, with PT = 3:
 -- IN  _#######__###__##_
 -- Q   ____####__________
 -- ET  001233330001200010
@@ -60,7 +61,8 @@ begin
 end architecture rtl;
 
 -- TOF: off-delay timer
--- PT = 3
+-- Fitted to PT = 5 ticks.
+-- Example, with PT = 3:
 -- IN  _##_____#__#_____
 -- Q   _#####__#######__
 -- ET  00001233001001233

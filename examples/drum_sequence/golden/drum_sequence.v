@@ -6,7 +6,7 @@
 /* verilator lint_off DECLFILENAME */
 
 // DIVIDER: divider of the tick, N = 1 tick
-// N = 3
+// Example, with N = 3:
 // tick ####_#__##
 // IN   ##########
 // Q    __#_____#_
@@ -20,8 +20,8 @@ module drum_sequence_DIVIDER_N1 (
 endmodule
 
 // DRUM: drum counter, TAPS = [1, 3, 5, 9]
-// PV = 3
-// TAPS = [1, 2]
+// Fitted to PV = 12.
+// Example, with PV = 3, TAPS = [1, 2]:
 // IN   _#_#_#_#___
 // EN   #########_#
 // Q    _____####__
@@ -44,10 +44,10 @@ module drum_sequence_DRUM_PV12 (
   reg was = 1'b0;
 
   wire condition = power & ~was;
-  wire equal = ACC == 4'hc;
+  wire equal = ACC == 4'd12;
   wire [3:0] sum = ACC + {3'b0, condition & ~equal};
   wire [3:0] ACC_next = EN ? sum : 4'd0;
-  wire equal_2 = ACC == 4'hb;
+  wire equal_2 = ACC == 4'd11;
   wire Q_next = EN & (condition & equal_2 | equal);
   wire equal_3 = ACC == 4'd0;
 
@@ -55,7 +55,7 @@ module drum_sequence_DRUM_PV12 (
   assign TAP0 = ~(~EN | ~condition & equal_3);
   assign TAP1 = ACC_next >= 4'd3;
   assign TAP2 = ACC_next >= 4'd5;
-  assign TAP3 = ACC_next >= 4'h9;
+  assign TAP3 = ACC_next >= 4'd9;
 
   always @(posedge clk) begin
     if (rst) begin
@@ -71,7 +71,8 @@ module drum_sequence_DRUM_PV12 (
 endmodule
 
 // T0_1: timer of tenths of a second
-// PV = 3
+// Fitted to PV = 10.
+// Example, with PV = 3:
 // IN  _#######__##__
 // EN  ###########_##
 // Q   ____#######___
@@ -91,10 +92,10 @@ module drum_sequence_T0_1_PV10 (
   reg ran = 1'b0;
 
   wire ran_next = power & EN;
-  wire equal = ACC == 4'ha;
+  wire equal = ACC == 4'd10;
   wire [3:0] sum = ACC + {3'b0, ran_next & ran & unit & ~equal};
   wire [3:0] ACC_next = EN ? sum : 4'd0;
-  wire equal_2 = ACC == 4'h9;
+  wire equal_2 = ACC == 4'd9;
   wire Q_next = EN & (ran_next & ran & unit & equal_2 | equal);
 
   assign Q = Q_next;

@@ -7,7 +7,7 @@
 /* verilator lint_off DECLFILENAME */
 
 // DIVIDER: divider of the tick, N = 1 tick
-// N = 3
+// Example, with N = 3:
 // tick ####_#__##
 // IN   ##########
 // Q    __#_____#_
@@ -21,8 +21,8 @@ module drum_sequence_test_DIVIDER_N1 (
 endmodule
 
 // DRUM: drum counter, TAPS = [1, 3, 5, 9]
-// PV = 3
-// TAPS = [1, 2]
+// Fitted to PV = 12.
+// Example, with PV = 3, TAPS = [1, 2]:
 // IN   _#_#_#_#___
 // EN   #########_#
 // Q    _____####__
@@ -46,7 +46,7 @@ module drum_sequence_test_DRUM_PV12 (
   reg was = 1'b0;
 
   wire condition = power & ~was;
-  wire unequal = ACC != 11'h7ff;
+  wire unequal = ACC != 11'd2047;
   wire [10:0] sum = ACC + {10'b0, condition & unequal};
   wire [10:0] ACC_next = EN ? sum : 11'd0;
   wire Q_next = ACC_next >= 11'd12;
@@ -73,7 +73,8 @@ module drum_sequence_test_DRUM_PV12 (
 endmodule
 
 // T0_1: timer of tenths of a second
-// PV = 3
+// Fitted to PV = 10.
+// Example, with PV = 3:
 // IN  _#######__##__
 // EN  ###########_##
 // Q   ____#######___
@@ -93,10 +94,10 @@ module drum_sequence_test_T0_1_PV10 (
   reg ran = 1'b0;
 
   wire ran_next = power & EN;
-  wire equal = ACC == 4'ha;
+  wire equal = ACC == 4'd10;
   wire [3:0] sum = ACC + {3'b0, ran_next & ran & unit & ~equal};
   wire [3:0] ACC_next = EN ? sum : 4'd0;
-  wire equal_2 = ACC == 4'h9;
+  wire equal_2 = ACC == 4'd9;
   wire Q_next = EN & (ran_next & ran & unit & equal_2 | equal);
 
   assign Q = Q_next;

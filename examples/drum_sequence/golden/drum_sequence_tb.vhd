@@ -4,7 +4,7 @@
 -- signals have no value yet.
 
 -- DIVIDER: divider of the tick, N = 1 tick
--- N = 3
+-- Example, with N = 3:
 -- tick ####_#__##
 -- IN   ##########
 -- Q    __#_____#_
@@ -27,8 +27,8 @@ begin
 end architecture rtl;
 
 -- DRUM: drum counter, TAPS = [1, 3, 5, 9]
--- PV = 3
--- TAPS = [1, 2]
+-- Fitted to PV = 12.
+-- Example, with PV = 3, TAPS = [1, 2]:
 -- IN   _#_#_#_#___
 -- EN   #########_#
 -- Q    _____####__
@@ -96,7 +96,8 @@ begin
 end architecture rtl;
 
 -- T0_1: timer of tenths of a second
--- PV = 3
+-- Fitted to PV = 10.
+-- Example, with PV = 3:
 -- IN  _#######__##__
 -- EN  ###########_##
 -- Q   ____#######___

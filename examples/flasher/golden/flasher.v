@@ -6,7 +6,8 @@
 /* verilator lint_off DECLFILENAME */
 
 // TON: on-delay timer
-// PT = 3
+// Fitted to PT = 200 ticks.
+// Example, with PT = 3:
 // IN  _#######__###__##_
 // Q   ____####__________
 // ET  001233330001200010
@@ -46,7 +47,8 @@ module flasher_TON_PT200 (
 endmodule
 
 // TON: on-delay timer
-// PT = 3
+// Fitted to PT = 1300 ticks.
+// Example, with PT = 3:
 // IN  _#######__###__##_
 // Q   ____####__________
 // ET  001233330001200010
@@ -66,7 +68,7 @@ module flasher_TON_PT1300 (
   wire [10:0] sum = ET + 11'd1;
   wire [10:0] choice = condition_2 ? sum : ET;
   wire [10:0] ET_next = condition ? choice : 11'd0;
-  wire equal = ET == 11'h513;
+  wire equal = ET == 11'd1299;
   wire choice_2 = condition_2 ? equal : ET_is_1300;
   wire ET_is_1300_next = condition ? choice_2 : 1'b0;
 

@@ -7,7 +7,8 @@
 /* verilator lint_off DECLFILENAME */
 
 // TON: on-delay timer
-// PT = 3
+// Fitted to PT = 200 ticks.
+// Example, with PT = 3:
 // IN  _#######__###__##_
 // Q   ____####__________
 // ET  001233330001200010
@@ -47,7 +48,8 @@ module flasher_test_TON_PT200 (
 endmodule
 
 // TON: on-delay timer
-// PT = 3
+// Fitted to PT = 1300 ticks.
+// Example, with PT = 3:
 // IN  _#######__###__##_
 // Q   ____####__________
 // ET  001233330001200010
@@ -66,7 +68,7 @@ module flasher_test_TON_PT1300 (
   wire condition = power & was;
   wire [10:0] sum = ET + {10'b0, tick & ~ET_is_1300};
   wire [10:0] ET_next = condition ? sum : 11'd0;
-  wire equal = ET == 11'h513;
+  wire equal = ET == 11'd1299;
   wire ET_is_1300_next = condition & (tick & equal | ET_is_1300);
 
   assign Q = ET_is_1300_next;

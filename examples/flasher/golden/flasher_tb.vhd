@@ -4,7 +4,8 @@
 -- signals have no value yet.
 
 -- TON: on-delay timer
--- PT = 3
+-- Fitted to PT = 200 ticks.
+-- Example, with PT = 3:
 -- IN  _#######__###__##_
 -- Q   ____####__________
 -- ET  001233330001200010
@@ -63,7 +64,8 @@ begin
 end architecture rtl;
 
 -- TON: on-delay timer
--- PT = 3
+-- Fitted to PT = 1300 ticks.
+-- Example, with PT = 3:
 -- IN  _#######__###__##_
 -- Q   ____####__________
 -- ET  001233330001200010

@@ -6,7 +6,7 @@
 /* verilator lint_off DECLFILENAME */
 
 // TON: on-delay timer
-// PT = 3
+// Example, with PT = 3:
 // IN  _#######__###__##_
 // Q   ____####__________
 // ET  001233330001200010
@@ -59,8 +59,8 @@ module flasher_rates (
   wire rung1_power = ~slow;
   wire [4:0] on_time_rung1 = rung1_power ? 5'd13 : on_time;
   wire [5:0] cycle_PT_rung1 = rung1_power ? 6'd25 : cycle_PT;
-  wire [4:0] on_time_next = slow ? 5'h19 : on_time_rung1;
-  wire [5:0] cycle_PT_next = slow ? 6'h2a : cycle_PT_rung1;
+  wire [4:0] on_time_next = slow ? 5'd25 : on_time_rung1;
+  wire [5:0] cycle_PT_next = slow ? 6'd42 : cycle_PT_rung1;
   wire [31:0] cycle_PT_2 = {26'b0, cycle_PT_next};
 
   // rung 2 "one cycle after the other", flasher_rates.ladder:17

@@ -4,7 +4,7 @@
 -- signals have no value yet.
 
 -- TON: on-delay timer
--- PT = 3
+-- Example, with PT = 3:
 -- IN  _#######__###__##_
 -- Q   ____####__________
 -- ET  001233330001200010
@@ -97,8 +97,8 @@ begin
   rung1_power <= not slow;
   on_time_rung1 <= to_unsigned(13, 5) when rung1_power = '1' else on_time;
   cycle_PT_rung1 <= to_unsigned(25, 6) when rung1_power = '1' else cycle_PT;
-  on_time_next <= "11001" when slow = '1' else on_time_rung1;
-  cycle_PT_next <= "101010" when slow = '1' else cycle_PT_rung1;
+  on_time_next <= to_unsigned(25, 5) when slow = '1' else on_time_rung1;
+  cycle_PT_next <= to_unsigned(42, 6) when slow = '1' else cycle_PT_rung1;
   cycle_PT_2 <= resize(cycle_PT_next, 32);
 
   -- rung 2 "one cycle after the other", flasher_rates.ladder:17

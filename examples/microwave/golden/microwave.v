@@ -6,7 +6,8 @@
 /* verilator lint_off DECLFILENAME */
 
 // TONR: retentive on-delay timer
-// PT = 3
+// Fitted to PT = 900 ticks.
+// Example, with PT = 3:
 // IN  _##_###____######
 // R   _________#___#___
 // Q   ______###_______#
@@ -29,7 +30,7 @@ module microwave_TONR_PT900 (
   wire [9:0] sum = ET + 10'd1;
   wire [9:0] choice = condition ? sum : ET;
   wire [9:0] ET_next = R ? 10'd0 : choice;
-  wire equal = ET == 10'h383;
+  wire equal = ET == 10'd899;
   wire choice_2 = condition ? equal : ET_is_900;
   wire ET_is_900_next = R ? 1'b0 : choice_2;
   wire Q_next = ~R & ET_is_900_next;
@@ -53,7 +54,8 @@ module microwave_TONR_PT900 (
 endmodule
 
 // TOF: off-delay timer
-// PT = 3
+// Fitted to PT = 30 ticks.
+// Example, with PT = 3:
 // IN  _##_____#__#_____
 // Q   _#####__#######__
 // ET  00001233001001233
@@ -68,10 +70,10 @@ module microwave_TOF_PT30 (
   reg run = 1'b0;
   reg was = 1'b0;
 
-  wire equal = ET == 5'h1e;
+  wire equal = ET == 5'd30;
   wire [4:0] sum = ET + {4'b0, tick & ~equal};
   wire [4:0] choice = was ? 5'd0 : sum;
-  wire equal_2 = ET == 5'h1d;
+  wire equal_2 = ET == 5'd29;
   wire [4:0] choice_2 = run ? choice : ET;
   wire [4:0] ET_next = power ? 5'd0 : choice_2;
   wire run_next = power | run & ~(~was & (tick & equal_2 | equal));

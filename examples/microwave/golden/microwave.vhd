@@ -1,7 +1,8 @@
 -- Made by hotrail 0.1.0 from microwave.ladder. Do not edit: change the ladder and build again.
 
 -- TONR: retentive on-delay timer
--- PT = 3
+-- Fitted to PT = 900 ticks.
+-- Example, with PT = 3:
 -- IN  _##_###____######
 -- R   _________#___#___
 -- Q   ______###_______#
@@ -67,7 +68,8 @@ begin
 end architecture rtl;
 
 -- TOF: off-delay timer
--- PT = 3
+-- Fitted to PT = 30 ticks.
+-- Example, with PT = 3:
 -- IN  _##_____#__#_____
 -- Q   _#####__#######__
 -- ET  00001233001001233

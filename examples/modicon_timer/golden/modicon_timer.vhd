@@ -1,7 +1,7 @@
 -- Made by hotrail 0.1.0 from modicon_timer.ladder. Do not edit: change the ladder and build again.
 
 -- DIVIDER: divider of the tick, N = 100 ticks
--- N = 3
+-- Example, with N = 3:
 -- tick ####_#__##
 -- IN   ##########
 -- Q    __#_____#_
@@ -46,7 +46,7 @@ begin
 end architecture rtl;
 
 -- DIVIDER: divider of the tick, N = 10 ticks
--- N = 3
+-- Example, with N = 3:
 -- tick ####_#__##
 -- IN   ##########
 -- Q    __#_____#_
@@ -91,7 +91,8 @@ begin
 end architecture rtl;
 
 -- T1_0: timer of seconds
--- PV = 3
+-- Fitted to PV = 5.
+-- Example, with PV = 3:
 -- IN  _#######__##__
 -- EN  ###########_##
 -- Q   ____#######___
@@ -148,7 +149,8 @@ begin
 end architecture rtl;
 
 -- T1_0: timer of seconds
--- PV = 3
+-- Fitted to PV = 1.
+-- Example, with PV = 3:
 -- IN  _#######__##__
 -- EN  ###########_##
 -- Q   ____#######___
@@ -195,7 +197,8 @@ begin
 end architecture rtl;
 
 -- T0_1: timer of tenths of a second
--- PV = 3
+-- Fitted to PV = 10.
+-- Example, with PV = 3:
 -- IN  _#######__##__
 -- EN  ###########_##
 -- Q   ____#######___

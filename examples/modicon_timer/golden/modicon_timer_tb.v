@@ -7,7 +7,7 @@
 /* verilator lint_off DECLFILENAME */
 
 // DIVIDER: divider of the tick, N = 100 ticks
-// N = 3
+// Example, with N = 3:
 // tick ####_#__##
 // IN   ##########
 // Q    __#_____#_
@@ -20,7 +20,7 @@ module modicon_timer_test_DIVIDER_N100 (
 );
   reg [6:0] CV = 7'd0;
 
-  wire equal = CV == 7'h63;
+  wire equal = CV == 7'd99;
   wire Q_value = tick & equal;
   wire [6:0] sum = CV + {6'b0, tick};
   wire [6:0] CV_next = Q_value ? 7'd0 : sum;
@@ -37,7 +37,7 @@ module modicon_timer_test_DIVIDER_N100 (
 endmodule
 
 // DIVIDER: divider of the tick, N = 10 ticks
-// N = 3
+// Example, with N = 3:
 // tick ####_#__##
 // IN   ##########
 // Q    __#_____#_
@@ -50,7 +50,7 @@ module modicon_timer_test_DIVIDER_N10 (
 );
   reg [3:0] CV = 4'd0;
 
-  wire equal = CV == 4'h9;
+  wire equal = CV == 4'd9;
   wire Q_value = tick & equal;
   wire [3:0] sum = CV + {3'b0, tick};
   wire [3:0] CV_next = Q_value ? 4'd0 : sum;
@@ -67,7 +67,8 @@ module modicon_timer_test_DIVIDER_N10 (
 endmodule
 
 // T1_0: timer of seconds
-// PV = 3
+// Fitted to PV = 5.
+// Example, with PV = 3:
 // IN  _#######__##__
 // EN  ###########_##
 // Q   ____#######___
@@ -87,10 +88,10 @@ module modicon_timer_test_T1_0_PV5 (
   reg ran = 1'b0;
 
   wire ran_next = power & EN;
-  wire equal = ACC == 3'h5;
+  wire equal = ACC == 3'd5;
   wire [2:0] sum = ACC + {2'b0, ran_next & ran & unit & ~equal};
   wire [2:0] ACC_next = EN ? sum : 3'd0;
-  wire equal_2 = ACC == 3'h4;
+  wire equal_2 = ACC == 3'd4;
   wire Q_value = EN & (ran_next & ran & unit & equal_2 | equal);
 
   assign Q = Q_value;
@@ -109,7 +110,8 @@ module modicon_timer_test_T1_0_PV5 (
 endmodule
 
 // T1_0: timer of seconds
-// PV = 3
+// Fitted to PV = 1.
+// Example, with PV = 3:
 // IN  _#######__##__
 // EN  ###########_##
 // Q   ____#######___
@@ -145,7 +147,8 @@ module modicon_timer_test_T1_0_PV1 (
 endmodule
 
 // T0_1: timer of tenths of a second
-// PV = 3
+// Fitted to PV = 10.
+// Example, with PV = 3:
 // IN  _#######__##__
 // EN  ###########_##
 // Q   ____#######___
@@ -166,10 +169,10 @@ module modicon_timer_test_T0_1_PV10 (
   reg ran = 1'b0;
 
   wire ran_next = power & EN;
-  wire equal = ACC == 4'ha;
+  wire equal = ACC == 4'd10;
   wire [3:0] sum = ACC + {3'b0, ran_next & ran & unit & ~equal};
   wire [3:0] ACC_next = EN ? sum : 4'd0;
-  wire equal_2 = ACC == 4'h9;
+  wire equal_2 = ACC == 4'd9;
   wire Q_next = EN & (ran_next & ran & unit & equal_2 | equal);
 
   assign Q = Q_next;
@@ -190,7 +193,8 @@ module modicon_timer_test_T0_1_PV10 (
 endmodule
 
 // T0_1: timer of tenths of a second
-// PV = 3
+// Fitted to PV = 10.
+// Example, with PV = 3:
 // IN  _#######__##__
 // EN  ###########_##
 // Q   ____#######___
@@ -210,10 +214,10 @@ module modicon_timer_test_T0_1_PV10_2 (
   reg ran = 1'b0;
 
   wire ran_next = power & EN;
-  wire equal = ACC == 4'ha;
+  wire equal = ACC == 4'd10;
   wire [3:0] sum = ACC + {3'b0, ran_next & ran & unit & ~equal};
   wire [3:0] ACC_next = EN ? sum : 4'd0;
-  wire equal_2 = ACC == 4'h9;
+  wire equal_2 = ACC == 4'd9;
   wire Q_next = EN & (ran_next & ran & unit & equal_2 | equal);
 
   assign Q = Q_next;

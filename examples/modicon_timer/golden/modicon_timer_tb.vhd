@@ -4,7 +4,7 @@
 -- signals have no value yet.
 
 -- DIVIDER: divider of the tick, N = 100 ticks
--- N = 3
+-- Example, with N = 3:
 -- tick ####_#__##
 -- IN   ##########
 -- Q    __#_____#_
@@ -49,7 +49,7 @@ begin
 end architecture rtl;
 
 -- DIVIDER: divider of the tick, N = 10 ticks
--- N = 3
+-- Example, with N = 3:
 -- tick ####_#__##
 -- IN   ##########
 -- Q    __#_____#_
@@ -94,7 +94,8 @@ begin
 end architecture rtl;
 
 -- T1_0: timer of seconds
--- PV = 3
+-- Fitted to PV = 5.
+-- Example, with PV = 3:
 -- IN  _#######__##__
 -- EN  ###########_##
 -- Q   ____#######___
@@ -153,7 +154,8 @@ begin
 end architecture rtl;
 
 -- T1_0: timer of seconds
--- PV = 3
+-- Fitted to PV = 1.
+-- Example, with PV = 3:
 -- IN  _#######__##__
 -- EN  ###########_##
 -- Q   ____#######___
@@ -202,7 +204,8 @@ begin
 end architecture rtl;
 
 -- T0_1: timer of tenths of a second
--- PV = 3
+-- Fitted to PV = 10.
+-- Example, with PV = 3:
 -- IN  _#######__##__
 -- EN  ###########_##
 -- Q   ____#######___
@@ -264,7 +267,8 @@ begin
 end architecture rtl;
 
 -- T0_1: timer of tenths of a second
--- PV = 3
+-- Fitted to PV = 10.
+-- Example, with PV = 3:
 -- IN  _#######__##__
 -- EN  ###########_##
 -- Q   ____#######___

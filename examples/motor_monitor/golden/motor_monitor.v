@@ -6,7 +6,8 @@
 /* verilator lint_off DECLFILENAME */
 
 // TON: on-delay timer
-// PT = 3
+// Fitted to PT = 100 ticks.
+// Example, with PT = 3:
 // IN  _#######__###__##_
 // Q   ____####__________
 // ET  001233330001200010
@@ -26,7 +27,7 @@ module motor_monitor_TON_PT100 (
   wire [6:0] sum = ET + 7'd1;
   wire [6:0] choice = condition_2 ? sum : ET;
   wire [6:0] ET_next = condition ? choice : 7'd0;
-  wire equal = ET == 7'h63;
+  wire equal = ET == 7'd99;
   wire choice_2 = condition_2 ? equal : ET_is_100;
   wire ET_is_100_next = condition ? choice_2 : 1'b0;
 

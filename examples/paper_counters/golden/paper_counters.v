@@ -6,7 +6,8 @@
 /* verilator lint_off DECLFILENAME */
 
 // UC: up counter with enable
-// PV = 2
+// Fitted to PV = 5.
+// Example, with PV = 2:
 // IN  _#_##_#_#__#_#_
 // EN  #########__####
 // Q   ___######____##
@@ -22,10 +23,10 @@ module paper_counters_UC_PV5 (
   reg was = 1'b0;
 
   wire condition = power & ~was;
-  wire equal = ACC == 3'h5;
+  wire equal = ACC == 3'd5;
   wire [2:0] sum = ACC + {2'b0, condition & ~equal};
   wire [2:0] ACC_next = EN ? sum : 3'd0;
-  wire equal_2 = ACC == 3'h4;
+  wire equal_2 = ACC == 3'd4;
 
   assign Q = EN & (condition & equal_2 | equal);
 
@@ -41,7 +42,8 @@ module paper_counters_UC_PV5 (
 endmodule
 
 // DC: down counter with enable
-// PV = 2
+// Fitted to PV = 5.
+// Example, with PV = 2:
 // IN  _#_##_#_#__
 // EN  #######__##
 // Q   ___####____
@@ -53,20 +55,20 @@ module paper_counters_DC_PV5 (
   input  wire EN,
   output wire Q
 );
-  reg [2:0] ACC = 3'h5;
+  reg [2:0] ACC = 3'd5;
   reg was = 1'b0;
 
   wire condition = power & ~was;
   wire equal = ACC == 3'd0;
   wire [2:0] difference = ACC - {2'b0, condition & ~equal};
-  wire [2:0] ACC_next = EN ? difference : 3'h5;
+  wire [2:0] ACC_next = EN ? difference : 3'd5;
   wire equal_2 = ACC == 3'd1;
 
   assign Q = EN & (condition & equal_2 | equal);
 
   always @(posedge clk) begin
     if (rst) begin
-      ACC <= 3'h5;
+      ACC <= 3'd5;
       was <= 1'b0;
     end else begin
       ACC <= ACC_next;
@@ -76,8 +78,8 @@ module paper_counters_DC_PV5 (
 endmodule
 
 // DRUM: drum counter, TAPS = [2, 4, 6, 8]
-// PV = 3
-// TAPS = [1, 2]
+// Fitted to PV = 10.
+// Example, with PV = 3, TAPS = [1, 2]:
 // IN   _#_#_#_#___
 // EN   #########_#
 // Q    _____####__
@@ -99,16 +101,16 @@ module paper_counters_DRUM_PV10 (
   reg was = 1'b0;
 
   wire condition = power & ~was;
-  wire equal = ACC == 4'ha;
+  wire equal = ACC == 4'd10;
   wire [3:0] sum = ACC + {3'b0, condition & ~equal};
   wire [3:0] ACC_next = EN ? sum : 4'd0;
-  wire equal_2 = ACC == 4'h9;
+  wire equal_2 = ACC == 4'd9;
 
   assign Q = EN & (condition & equal_2 | equal);
   assign TAP0 = ACC_next >= 4'd2;
   assign TAP1 = ACC_next >= 4'd4;
   assign TAP2 = ACC_next >= 4'd6;
-  assign TAP3 = ACC_next >= 4'h8;
+  assign TAP3 = ACC_next >= 4'd8;
 
   always @(posedge clk) begin
     if (rst) begin

@@ -7,7 +7,8 @@
 /* verilator lint_off DECLFILENAME */
 
 // UC: up counter with enable
-// PV = 2
+// Fitted to PV = 5.
+// Example, with PV = 2:
 // IN  _#_##_#_#__#_#_
 // EN  #########__####
 // Q   ___######____##
@@ -23,7 +24,7 @@ module paper_counters_test_UC_PV5 (
   reg [13:0] ACC = 14'd0;
   reg was = 1'b0;
 
-  wire unequal = ACC != 14'h270f;
+  wire unequal = ACC != 14'd9999;
   wire [13:0] sum = ACC + {13'b0, power & ~was & unequal};
   wire [13:0] ACC_next = EN ? sum : 14'd0;
 
@@ -42,7 +43,8 @@ module paper_counters_test_UC_PV5 (
 endmodule
 
 // DC: down counter with enable
-// PV = 2
+// Fitted to PV = 5.
+// Example, with PV = 2:
 // IN  _#_##_#_#__
 // EN  #######__##
 // Q   ___####____
@@ -55,13 +57,13 @@ module paper_counters_test_DC_PV5 (
   output wire       Q,
   output wire [2:0] ACC_last
 );
-  reg [2:0] ACC = 3'h5;
+  reg [2:0] ACC = 3'd5;
   reg was = 1'b0;
 
   wire condition = power & ~was;
   wire equal = ACC == 3'd0;
   wire [2:0] difference = ACC - {2'b0, condition & ~equal};
-  wire [2:0] ACC_next = EN ? difference : 3'h5;
+  wire [2:0] ACC_next = EN ? difference : 3'd5;
   wire equal_2 = ACC == 3'd1;
 
   assign Q = EN & (condition & equal_2 | equal);
@@ -69,7 +71,7 @@ module paper_counters_test_DC_PV5 (
 
   always @(posedge clk) begin
     if (rst) begin
-      ACC <= 3'h5;
+      ACC <= 3'd5;
       was <= 1'b0;
     end else begin
       ACC <= ACC_next;
@@ -79,8 +81,8 @@ module paper_counters_test_DC_PV5 (
 endmodule
 
 // DRUM: drum counter, TAPS = [2, 4, 6, 8]
-// PV = 3
-// TAPS = [1, 2]
+// Fitted to PV = 10.
+// Example, with PV = 3, TAPS = [1, 2]:
 // IN   _#_#_#_#___
 // EN   #########_#
 // Q    _____####__
@@ -102,7 +104,7 @@ module paper_counters_test_DRUM_PV10 (
   reg [10:0] ACC = 11'd0;
   reg was = 1'b0;
 
-  wire unequal = ACC != 11'h7ff;
+  wire unequal = ACC != 11'd2047;
   wire [10:0] sum = ACC + {10'b0, power & ~was & unequal};
   wire [10:0] ACC_next = EN ? sum : 11'd0;
 

@@ -4,7 +4,8 @@
 -- signals have no value yet.
 
 -- UC: up counter with enable
--- PV = 2
+-- Fitted to PV = 5.
+-- Example, with PV = 2:
 -- IN  _#_##_#_#__#_#_
 -- EN  #########__####
 -- Q   ___######____##
@@ -53,7 +54,8 @@ begin
 end architecture rtl;
 
 -- DC: down counter with enable
--- PV = 2
+-- Fitted to PV = 5.
+-- Example, with PV = 2:
 -- IN  _#_##_#_#__
 -- EN  #######__##
 -- Q   ___####____
@@ -74,7 +76,7 @@ entity paper_counters_test_DC_PV5 is
 end entity paper_counters_test_DC_PV5;
 
 architecture rtl of paper_counters_test_DC_PV5 is
-  signal ACC : unsigned(2 downto 0) := "101";
+  signal ACC : unsigned(2 downto 0) := to_unsigned(5, 3);
   signal was : std_logic := '0';
   signal condition : std_logic;
   signal equal : std_logic;
@@ -85,7 +87,7 @@ begin
   condition <= power and not was;
   equal <= '1' when ACC = 0 else '0';
   difference <= ACC - (to_unsigned(0, 2) & (condition and not equal));
-  ACC_next <= difference when EN = '1' else "101";
+  ACC_next <= difference when EN = '1' else to_unsigned(5, 3);
   equal_2 <= '1' when ACC = 1 else '0';
 
   Q <= EN and ((condition and equal_2) or equal);
@@ -95,7 +97,7 @@ begin
   begin
     if rising_edge(clk) then
       if rst = '1' then
-        ACC <= "101";
+        ACC <= to_unsigned(5, 3);
         was <= '0';
       else
         ACC <= ACC_next;
@@ -106,8 +108,8 @@ begin
 end architecture rtl;
 
 -- DRUM: drum counter, TAPS = [2, 4, 6, 8]
--- PV = 3
--- TAPS = [1, 2]
+-- Fitted to PV = 10.
+-- Example, with PV = 3, TAPS = [1, 2]:
 -- IN   _#_#_#_#___
 -- EN   #########_#
 -- Q    _____####__

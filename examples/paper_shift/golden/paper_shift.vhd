@@ -1,8 +1,7 @@
 -- Made by hotrail 0.1.0 from paper_shift.ladder. Do not edit: change the ladder and build again.
 
 -- SHL: shift register to the left, REG has 48 bits
--- REG = 1
--- REG0 = 32769
+-- Example, with REG = 1, REG0 = 32769:
 -- IN   #_#_#_#
 -- DATA __#___#
 -- EN   ####_##
@@ -72,8 +71,7 @@ begin
 end architecture rtl;
 
 -- SHR: shift register to the right, REG has 32 bits
--- REG = 1
--- REG0 = 3
+-- Example, with REG = 1, REG0 = 3:
 -- IN   #_#_#
 -- EN   #####
 -- Q    ####_

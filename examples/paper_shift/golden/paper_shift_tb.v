@@ -7,8 +7,7 @@
 /* verilator lint_off DECLFILENAME */
 
 // SHL: shift register to the left, REG has 48 bits
-// REG = 1
-// REG0 = 32769
+// Example, with REG = 1, REG0 = 32769:
 // IN   #_#_#_#
 // DATA __#___#
 // EN   ####_##
@@ -58,8 +57,7 @@ module paper_shift_test_SHL_48 (
 endmodule
 
 // SHR: shift register to the right, REG has 32 bits
-// REG = 1
-// REG0 = 3
+// Example, with REG = 1, REG0 = 3:
 // IN   #_#_#
 // EN   #####
 // Q    ####_

@@ -4,8 +4,7 @@
 -- signals have no value yet.
 
 -- SHL: shift register to the left, REG has 48 bits
--- REG = 1
--- REG0 = 32769
+-- Example, with REG = 1, REG0 = 32769:
 -- IN   #_#_#_#
 -- DATA __#___#
 -- EN   ####_##
@@ -75,8 +74,7 @@ begin
 end architecture rtl;
 
 -- SHR: shift register to the right, REG has 32 bits
--- REG = 1
--- REG0 = 3
+-- Example, with REG = 1, REG0 = 3:
 -- IN   #_#_#
 -- EN   #####
 -- Q    ####_

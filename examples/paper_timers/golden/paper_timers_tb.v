@@ -7,7 +7,7 @@
 /* verilator lint_off DECLFILENAME */
 
 // DIVIDER: divider of the tick, N = 10 ticks
-// N = 3
+// Example, with N = 3:
 // tick ####_#__##
 // IN   ##########
 // Q    __#_____#_
@@ -20,7 +20,7 @@ module paper_timers_test_DIVIDER_N10 (
 );
   reg [3:0] CV = 4'd0;
 
-  wire equal = CV == 4'h9;
+  wire equal = CV == 4'd9;
   wire Q_value = tick & equal;
   wire [3:0] sum = CV + {3'b0, tick};
   wire [3:0] CV_next = Q_value ? 4'd0 : sum;
@@ -37,7 +37,7 @@ module paper_timers_test_DIVIDER_N10 (
 endmodule
 
 // DIVIDER: divider of the tick, N = 1 tick
-// N = 3
+// Example, with N = 3:
 // tick ####_#__##
 // IN   ##########
 // Q    __#_____#_
@@ -51,7 +51,8 @@ module paper_timers_test_DIVIDER_N1 (
 endmodule
 
 // TS: timer of seconds in three modes, MODE = OFF
-// PV = 3
+// Fitted to PV = 3.
+// Example, with PV = 3:
 // IN  _##_____#__#_____
 // Q   _#####__#######__
 // QN  #_____##_______##
@@ -69,12 +70,12 @@ module paper_timers_test_TS_OFF_PV3 (
   reg run = 1'b0;
   reg was = 1'b0;
 
-  wire equal = ACC == 2'h3;
+  wire equal = ACC == 2'd3;
   wire [1:0] sum = ACC + {1'b0, run & unit & ~equal};
   wire condition = run & was;
   wire [1:0] choice = condition ? 2'd0 : sum;
   wire [1:0] choice_2 = power ? 2'd0 : choice;
-  wire equal_2 = ACC == 2'h2;
+  wire equal_2 = ACC == 2'd2;
   wire condition_2 = power | run & ~(~power & ~condition & (run & unit & equal_2 | equal));
   wire [1:0] ACC_next = EN ? choice_2 : 2'd0;
   wire run_next = EN & condition_2;
@@ -96,7 +97,8 @@ module paper_timers_test_TS_OFF_PV3 (
 endmodule
 
 // TT: timer of tenths of a second in three modes
-// PV = 3
+// Fitted to PV = 5.
+// Example, with PV = 3:
 // IN  _#######__##__
 // EN  ###########_##
 // Q   ____#######___
@@ -115,10 +117,10 @@ module paper_timers_test_TT_PV5 (
   reg ran = 1'b0;
 
   wire ran_next = power & EN;
-  wire equal = ACC == 3'h5;
+  wire equal = ACC == 3'd5;
   wire [2:0] sum = ACC + {2'b0, ran_next & ran & unit & ~equal};
   wire [2:0] ACC_next = EN ? sum : 3'd0;
-  wire equal_2 = ACC == 3'h4;
+  wire equal_2 = ACC == 3'd4;
 
   assign Q = EN & (ran_next & ran & unit & equal_2 | equal);
   assign ACC_last = ACC;
@@ -135,7 +137,8 @@ module paper_timers_test_TT_PV5 (
 endmodule
 
 // TT: timer of tenths of a second in three modes, MODE = INTERVAL
-// PV = 3
+// Fitted to PV = 4.
+// Example, with PV = 3:
 // IN  _#####_#_#__
 // Q   _###___###__
 // QN  #___###___##
@@ -153,7 +156,7 @@ module paper_timers_test_TT_INTERVAL_PV4 (
   reg run = 1'b0;
   reg was = 1'b0;
 
-  wire equal = ACC == 3'h4;
+  wire equal = ACC == 3'd4;
   wire [2:0] sum = ACC + {2'b0, unit & ~equal};
   wire equal_2 = ACC == 3'd3;
   wire condition = power & ~was;

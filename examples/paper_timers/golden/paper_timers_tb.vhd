@@ -4,7 +4,7 @@
 -- signals have no value yet.
 
 -- DIVIDER: divider of the tick, N = 10 ticks
--- N = 3
+-- Example, with N = 3:
 -- tick ####_#__##
 -- IN   ##########
 -- Q    __#_____#_
@@ -49,7 +49,7 @@ begin
 end architecture rtl;
 
 -- DIVIDER: divider of the tick, N = 1 tick
--- N = 3
+-- Example, with N = 3:
 -- tick ####_#__##
 -- IN   ##########
 -- Q    __#_____#_
@@ -72,7 +72,8 @@ begin
 end architecture rtl;
 
 -- TS: timer of seconds in three modes, MODE = OFF
--- PV = 3
+-- Fitted to PV = 3.
+-- Example, with PV = 3:
 -- IN  _##_____#__#_____
 -- Q   _#####__#######__
 -- QN  #_____##_______##
@@ -139,7 +140,8 @@ begin
 end architecture rtl;
 
 -- TT: timer of tenths of a second in three modes
--- PV = 3
+-- Fitted to PV = 5.
+-- Example, with PV = 3:
 -- IN  _#######__##__
 -- EN  ###########_##
 -- Q   ____#######___
@@ -194,7 +196,8 @@ begin
 end architecture rtl;
 
 -- TT: timer of tenths of a second in three modes, MODE = INTERVAL
--- PV = 3
+-- Fitted to PV = 4.
+-- Example, with PV = 3:
 -- IN  _#####_#_#__
 -- Q   _###___###__
 -- QN  #___###___##

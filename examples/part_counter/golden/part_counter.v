@@ -6,7 +6,8 @@
 /* verilator lint_off DECLFILENAME */
 
 // TON: on-delay timer
-// PT = 3
+// Fitted to PT = 5 ticks.
+// Example, with PT = 3:
 // IN  _#######__###__##_
 // Q   ____####__________
 // ET  001233330001200010
@@ -21,10 +22,10 @@ module part_counter_TON_PT5 (
   reg was = 1'b0;
 
   wire condition = power & was;
-  wire equal = ET == 3'h5;
+  wire equal = ET == 3'd5;
   wire [2:0] sum = ET + {2'b0, tick & ~equal};
   wire [2:0] ET_next = condition ? sum : 3'd0;
-  wire equal_2 = ET == 3'h4;
+  wire equal_2 = ET == 3'd4;
 
   assign Q = condition & (tick & equal_2 | equal);
 
@@ -40,7 +41,8 @@ module part_counter_TON_PT5 (
 endmodule
 
 // CTU: up counter
-// PV = 2
+// Fitted to PV = 5.
+// Example, with PV = 2:
 // IN  _#_##_#_#__#_#_
 // R   _________##____
 // Q   ___######____##
@@ -56,7 +58,7 @@ module part_counter_CTU_PV5 (
   reg [14:0] CV_reg = 15'd0;
   reg was = 1'b0;
 
-  wire unequal = CV_reg != 15'h7fff;
+  wire unequal = CV_reg != 15'd32767;
   wire [14:0] sum = CV_reg + {14'b0, power & ~was & unequal};
   wire [14:0] CV_next = R ? 15'd0 : sum;
 

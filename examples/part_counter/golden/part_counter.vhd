@@ -1,7 +1,8 @@
 -- Made by hotrail 0.1.0 from part_counter.ladder. Do not edit: change the ladder and build again.
 
 -- TON: on-delay timer
--- PT = 3
+-- Fitted to PT = 5 ticks.
+-- Example, with PT = 3:
 -- IN  _#######__###__##_
 -- Q   ____####__________
 -- ET  001233330001200010
@@ -51,7 +52,8 @@ begin
 end architecture rtl;
 
 -- CTU: up counter
--- PV = 2
+-- Fitted to PV = 5.
+-- Example, with PV = 2:
 -- IN  _#_##_#_#__#_#_
 -- R   _________##____
 -- Q   ___######____##

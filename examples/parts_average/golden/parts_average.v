@@ -6,12 +6,12 @@
 /* verilator lint_off DECLFILENAME */
 
 // CTU: up counter
-// PV = 2
+// Example, with PV = 2:
 // IN  _#_##_#_#__#_#_
 // R   _________##____
 // Q   ___######____##
 // CV  011222334001122
-module parts_average_CTU_PV0 (
+module parts_average_CTU (
   input  wire        clk,
   input  wire        rst,
   input  wire        power,
@@ -21,7 +21,7 @@ module parts_average_CTU_PV0 (
   reg [14:0] CV_reg = 15'd0;
   reg was = 1'b0;
 
-  wire unequal = CV_reg != 15'h7fff;
+  wire unequal = CV_reg != 15'd32767;
   wire [14:0] CV_value = CV_reg + {14'b0, power & ~was & unequal};
   wire [14:0] CV_next = clear_after ? 15'd0 : CV_value;
 
@@ -39,7 +39,8 @@ module parts_average_CTU_PV0 (
 endmodule
 
 // TON: on-delay timer
-// PT = 3
+// Fitted to power = 1, PT = 60 ticks.
+// Example, with PT = 3:
 // IN  _#######__###__##_
 // Q   ____####__________
 // ET  001233330001200010
@@ -53,10 +54,10 @@ module parts_average_TON_power1_PT60 (
   reg [5:0] ET = 6'd0;
   reg was = 1'b0;
 
-  wire equal = ET == 6'h3c;
+  wire equal = ET == 6'd60;
   wire [5:0] sum = ET + {5'b0, tick & ~equal};
   wire [5:0] choice = was ? sum : 6'd0;
-  wire equal_2 = ET == 6'h3b;
+  wire equal_2 = ET == 6'd59;
   wire [5:0] ET_next = clear_after ? 6'd0 : choice;
 
   assign Q = was & (tick & equal_2 | equal);
@@ -156,7 +157,7 @@ module parts_average (
 
   // rung 2 "a minute is over", parts_average.ladder:25
   wire minute_Q;
-  parts_average_CTU_PV0 count (
+  parts_average_CTU count (
     .clk(clk),
     .rst(rst),
     .power(sensor),
@@ -378,61 +379,61 @@ module parts_average (
   wire [14:0] minutes_30_next = (minute_Q & rung7_equal_31) ? last_minute_next : minutes_30;
   wire rung7_equal_32 = newest == 6'd31;
   wire [14:0] minutes_31_next = (minute_Q & rung7_equal_32) ? last_minute_next : minutes_31;
-  wire rung7_equal_33 = newest == 6'h20;
+  wire rung7_equal_33 = newest == 6'd32;
   wire [14:0] minutes_32_next = (minute_Q & rung7_equal_33) ? last_minute_next : minutes_32;
-  wire rung7_equal_34 = newest == 6'h21;
+  wire rung7_equal_34 = newest == 6'd33;
   wire [14:0] minutes_33_next = (minute_Q & rung7_equal_34) ? last_minute_next : minutes_33;
-  wire rung7_equal_35 = newest == 6'h22;
+  wire rung7_equal_35 = newest == 6'd34;
   wire [14:0] minutes_34_next = (minute_Q & rung7_equal_35) ? last_minute_next : minutes_34;
-  wire rung7_equal_36 = newest == 6'h23;
+  wire rung7_equal_36 = newest == 6'd35;
   wire [14:0] minutes_35_next = (minute_Q & rung7_equal_36) ? last_minute_next : minutes_35;
-  wire rung7_equal_37 = newest == 6'h24;
+  wire rung7_equal_37 = newest == 6'd36;
   wire [14:0] minutes_36_next = (minute_Q & rung7_equal_37) ? last_minute_next : minutes_36;
-  wire rung7_equal_38 = newest == 6'h25;
+  wire rung7_equal_38 = newest == 6'd37;
   wire [14:0] minutes_37_next = (minute_Q & rung7_equal_38) ? last_minute_next : minutes_37;
-  wire rung7_equal_39 = newest == 6'h26;
+  wire rung7_equal_39 = newest == 6'd38;
   wire [14:0] minutes_38_next = (minute_Q & rung7_equal_39) ? last_minute_next : minutes_38;
-  wire rung7_equal_40 = newest == 6'h27;
+  wire rung7_equal_40 = newest == 6'd39;
   wire [14:0] minutes_39_next = (minute_Q & rung7_equal_40) ? last_minute_next : minutes_39;
-  wire rung7_equal_41 = newest == 6'h28;
+  wire rung7_equal_41 = newest == 6'd40;
   wire [14:0] minutes_40_next = (minute_Q & rung7_equal_41) ? last_minute_next : minutes_40;
-  wire rung7_equal_42 = newest == 6'h29;
+  wire rung7_equal_42 = newest == 6'd41;
   wire [14:0] minutes_41_next = (minute_Q & rung7_equal_42) ? last_minute_next : minutes_41;
-  wire rung7_equal_43 = newest == 6'h2a;
+  wire rung7_equal_43 = newest == 6'd42;
   wire [14:0] minutes_42_next = (minute_Q & rung7_equal_43) ? last_minute_next : minutes_42;
-  wire rung7_equal_44 = newest == 6'h2b;
+  wire rung7_equal_44 = newest == 6'd43;
   wire [14:0] minutes_43_next = (minute_Q & rung7_equal_44) ? last_minute_next : minutes_43;
-  wire rung7_equal_45 = newest == 6'h2c;
+  wire rung7_equal_45 = newest == 6'd44;
   wire [14:0] minutes_44_next = (minute_Q & rung7_equal_45) ? last_minute_next : minutes_44;
-  wire rung7_equal_46 = newest == 6'h2d;
+  wire rung7_equal_46 = newest == 6'd45;
   wire [14:0] minutes_45_next = (minute_Q & rung7_equal_46) ? last_minute_next : minutes_45;
-  wire rung7_equal_47 = newest == 6'h2e;
+  wire rung7_equal_47 = newest == 6'd46;
   wire [14:0] minutes_46_next = (minute_Q & rung7_equal_47) ? last_minute_next : minutes_46;
-  wire rung7_equal_48 = newest == 6'h2f;
+  wire rung7_equal_48 = newest == 6'd47;
   wire [14:0] minutes_47_next = (minute_Q & rung7_equal_48) ? last_minute_next : minutes_47;
-  wire rung7_equal_49 = newest == 6'h30;
+  wire rung7_equal_49 = newest == 6'd48;
   wire [14:0] minutes_48_next = (minute_Q & rung7_equal_49) ? last_minute_next : minutes_48;
-  wire rung7_equal_50 = newest == 6'h31;
+  wire rung7_equal_50 = newest == 6'd49;
   wire [14:0] minutes_49_next = (minute_Q & rung7_equal_50) ? last_minute_next : minutes_49;
-  wire rung7_equal_51 = newest == 6'h32;
+  wire rung7_equal_51 = newest == 6'd50;
   wire [14:0] minutes_50_next = (minute_Q & rung7_equal_51) ? last_minute_next : minutes_50;
-  wire rung7_equal_52 = newest == 6'h33;
+  wire rung7_equal_52 = newest == 6'd51;
   wire [14:0] minutes_51_next = (minute_Q & rung7_equal_52) ? last_minute_next : minutes_51;
-  wire rung7_equal_53 = newest == 6'h34;
+  wire rung7_equal_53 = newest == 6'd52;
   wire [14:0] minutes_52_next = (minute_Q & rung7_equal_53) ? last_minute_next : minutes_52;
-  wire rung7_equal_54 = newest == 6'h35;
+  wire rung7_equal_54 = newest == 6'd53;
   wire [14:0] minutes_53_next = (minute_Q & rung7_equal_54) ? last_minute_next : minutes_53;
-  wire rung7_equal_55 = newest == 6'h36;
+  wire rung7_equal_55 = newest == 6'd54;
   wire [14:0] minutes_54_next = (minute_Q & rung7_equal_55) ? last_minute_next : minutes_54;
-  wire rung7_equal_56 = newest == 6'h37;
+  wire rung7_equal_56 = newest == 6'd55;
   wire [14:0] minutes_55_next = (minute_Q & rung7_equal_56) ? last_minute_next : minutes_55;
-  wire rung7_equal_57 = newest == 6'h38;
+  wire rung7_equal_57 = newest == 6'd56;
   wire [14:0] minutes_56_next = (minute_Q & rung7_equal_57) ? last_minute_next : minutes_56;
-  wire rung7_equal_58 = newest == 6'h39;
+  wire rung7_equal_58 = newest == 6'd57;
   wire [14:0] minutes_57_next = (minute_Q & rung7_equal_58) ? last_minute_next : minutes_57;
-  wire rung7_equal_59 = newest == 6'h3a;
+  wire rung7_equal_59 = newest == 6'd58;
   wire [14:0] minutes_58_next = (minute_Q & rung7_equal_59) ? last_minute_next : minutes_58;
-  wire rung7_equal_60 = newest == 6'h3b;
+  wire rung7_equal_60 = newest == 6'd59;
   wire [14:0] minutes_59_next = (minute_Q & rung7_equal_60) ? last_minute_next : minutes_59;
   wire [5:0] rung7_sum = newest + 6'd1;
   wire [5:0] newest_rung7 = minute_Q ? rung7_sum : newest;
@@ -442,8 +443,8 @@ module parts_average (
 
   // rung 9 "averages of the minutes that there are", parts_average.ladder:39
   wire [3:0] rung9_sum = known_10 + 4'd1;
-  wire rung9_equal = known_10 == 4'ha;
-  wire [3:0] rung9_choice = rung9_equal ? 4'ha : rung9_sum;
+  wire rung9_equal = known_10 == 4'd10;
+  wire [3:0] rung9_choice = rung9_equal ? 4'd10 : rung9_sum;
   wire [3:0] known_10_next = minute_Q ? rung9_choice : known_10;
   wire [15:0] rung9_extended = {12'b0, known_10_next};
   wire [15:0] rung9_sum_2 = sum_10_next + {1'b0, rung9_extended[15:1]};
@@ -452,8 +453,8 @@ module parts_average (
 
   // rung 10, parts_average.ladder:42
   wire [5:0] rung10_sum = known_60 + 6'd1;
-  wire rung10_equal = known_60 == 6'h3c;
-  wire [5:0] rung10_choice = rung10_equal ? 6'h3c : rung10_sum;
+  wire rung10_equal = known_60 == 6'd60;
+  wire [5:0] rung10_choice = rung10_equal ? 6'd60 : rung10_sum;
   wire [5:0] known_60_next = minute_Q ? rung10_choice : known_60;
   wire [15:0] rung10_extended = {10'b0, known_60_next};
   wire [15:0] rung10_sum_2 = sum_60_next + {1'b0, rung10_extended[15:1]};

@@ -1,7 +1,7 @@
 -- Made by hotrail 0.1.0 from parts_average.ladder. Do not edit: change the ladder and build again.
 
 -- CTU: up counter
--- PV = 2
+-- Example, with PV = 2:
 -- IN  _#_##_#_#__#_#_
 -- R   _________##____
 -- Q   ___######____##
@@ -10,7 +10,7 @@ library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
-entity parts_average_CTU_PV0 is
+entity parts_average_CTU is
   port (
     clk         : in  std_logic;
     rst         : in  std_logic;
@@ -18,9 +18,9 @@ entity parts_average_CTU_PV0 is
     clear_after : in  std_logic;
     CV          : out unsigned(14 downto 0)
   );
-end entity parts_average_CTU_PV0;
+end entity parts_average_CTU;
 
-architecture rtl of parts_average_CTU_PV0 is
+architecture rtl of parts_average_CTU is
   signal CV_reg : unsigned(14 downto 0) := (others => '0');
   signal was : std_logic := '0';
   signal unequal : std_logic;
@@ -48,7 +48,8 @@ begin
 end architecture rtl;
 
 -- TON: on-delay timer
--- PT = 3
+-- Fitted to power = 1, PT = 60 ticks.
+-- Example, with PT = 3:
 -- IN  _#######__###__##_
 -- Q   ____####__________
 -- ET  001233330001200010
@@ -463,7 +464,7 @@ begin
   -- rung 1 "parts of the minute that runs", parts_average.ladder:22
 
   -- rung 2 "a minute is over", parts_average.ladder:25
-  count: entity work.parts_average_CTU_PV0
+  count: entity work.parts_average_CTU
     port map (
       clk => clk,
       rst => rst,
@@ -752,7 +753,7 @@ begin
   -- rung 9 "averages of the minutes that there are", parts_average.ladder:39
   rung9_sum <= known_10 + 1;
   rung9_equal <= '1' when known_10 = 10 else '0';
-  rung9_choice <= x"A" when rung9_equal = '1' else rung9_sum;
+  rung9_choice <= to_unsigned(10, 4) when rung9_equal = '1' else rung9_sum;
   known_10_next <= rung9_choice when minute_Q = '1' else known_10;
   rung9_extended <= resize(known_10_next, 16);
   rung9_sum_2 <= sum_10_next + resize(rung9_extended(15 downto 1), 16);
@@ -762,7 +763,7 @@ begin
   -- rung 10, parts_average.ladder:42
   rung10_sum <= known_60 + 1;
   rung10_equal <= '1' when known_60 = 60 else '0';
-  rung10_choice <= "111100" when rung10_equal = '1' else rung10_sum;
+  rung10_choice <= to_unsigned(60, 6) when rung10_equal = '1' else rung10_sum;
   known_60_next <= rung10_choice when minute_Q = '1' else known_60;
   rung10_extended <= resize(known_60_next, 16);
   rung10_sum_2 <= sum_60_next + resize(rung10_extended(15 downto 1), 16);

@@ -6,7 +6,8 @@
 /* verilator lint_off DECLFILENAME */
 
 // TON: on-delay timer
-// PT = 3
+// Fitted to PT = 60 ticks.
+// Example, with PT = 3:
 // IN  _#######__###__##_
 // Q   ____####__________
 // ET  001233330001200010
@@ -26,7 +27,7 @@ module parts_per_minute_TON_PT60 (
   wire [5:0] sum = ET + 6'd1;
   wire [5:0] choice = condition_2 ? sum : ET;
   wire [5:0] ET_next = condition ? choice : 6'd0;
-  wire equal = ET == 6'h3b;
+  wire equal = ET == 6'd59;
   wire choice_2 = condition_2 ? equal : ET_is_60;
   wire ET_is_60_next = condition ? choice_2 : 1'b0;
 
@@ -46,12 +47,12 @@ module parts_per_minute_TON_PT60 (
 endmodule
 
 // CTU: up counter
-// PV = 2
+// Example, with PV = 2:
 // IN  _#_##_#_#__#_#_
 // R   _________##____
 // Q   ___######____##
 // CV  011222334001122
-module parts_per_minute_CTU_PV0 (
+module parts_per_minute_CTU (
   input  wire        clk,
   input  wire        rst,
   input  wire        power,
@@ -61,7 +62,7 @@ module parts_per_minute_CTU_PV0 (
   reg [14:0] CV_reg = 15'd0;
   reg was = 1'b0;
 
-  wire unequal = CV_reg != 15'h7fff;
+  wire unequal = CV_reg != 15'd32767;
   wire [14:0] sum = CV_reg + {14'b0, power & ~was & unequal};
   wire [14:0] CV_next = R ? 15'd0 : sum;
 
@@ -106,7 +107,7 @@ module parts_per_minute (
   wire count_power = sensor & ~sensor_before & S & ~minute_Q;
   wire count_R = ~S;
   wire [14:0] count_CV;
-  parts_per_minute_CTU_PV0 count (
+  parts_per_minute_CTU count (
     .clk(clk),
     .rst(rst),
     .power(count_power),

@@ -1,7 +1,8 @@
 -- Made by hotrail 0.1.0 from parts_per_minute.ladder. Do not edit: change the ladder and build again.
 
 -- TON: on-delay timer
--- PT = 3
+-- Fitted to PT = 60 ticks.
+-- Example, with PT = 3:
 -- IN  _#######__###__##_
 -- Q   ____####__________
 -- ET  001233330001200010
@@ -60,7 +61,7 @@ begin
 end architecture rtl;
 
 -- CTU: up counter
--- PV = 2
+-- Example, with PV = 2:
 -- IN  _#_##_#_#__#_#_
 -- R   _________##____
 -- Q   ___######____##
@@ -69,7 +70,7 @@ library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
-entity parts_per_minute_CTU_PV0 is
+entity parts_per_minute_CTU is
   port (
     clk   : in  std_logic;
     rst   : in  std_logic;
@@ -77,9 +78,9 @@ entity parts_per_minute_CTU_PV0 is
     R     : in  std_logic;
     CV    : out unsigned(14 downto 0)
   );
-end entity parts_per_minute_CTU_PV0;
+end entity parts_per_minute_CTU;
 
-architecture rtl of parts_per_minute_CTU_PV0 is
+architecture rtl of parts_per_minute_CTU is
   signal CV_reg : unsigned(14 downto 0) := (others => '0');
   signal was : std_logic := '0';
   signal unequal : std_logic;
@@ -149,7 +150,7 @@ begin
   -- rung 2 "parts in it", parts_per_minute.ladder:14
   count_power <= sensor and not sensor_before and S and not minute_Q;
   count_R <= not S;
-  count: entity work.parts_per_minute_CTU_PV0
+  count: entity work.parts_per_minute_CTU
     port map (
       clk => clk,
       rst => rst,

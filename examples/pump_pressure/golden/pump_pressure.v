@@ -6,7 +6,8 @@
 /* verilator lint_off DECLFILENAME */
 
 // TON: on-delay timer
-// PT = 3
+// Fitted to PT = 50 ticks.
+// Example, with PT = 3:
 // IN  _#######__###__##_
 // Q   ____####__________
 // ET  001233330001200010
@@ -27,7 +28,7 @@ module pump_pressure_TON_PT50 (
   wire [5:0] sum = ET + 6'd1;
   wire [5:0] choice = condition_2 ? sum : ET;
   wire [5:0] ET_next = condition ? choice : 6'd0;
-  wire equal = ET == 6'h31;
+  wire equal = ET == 6'd49;
   wire choice_2 = condition_2 ? equal : Q_reg;
   wire Q_next = condition ? choice_2 : 1'b0;
 

@@ -1,7 +1,8 @@
 -- Made by hotrail 0.1.0 from pump_pressure.ladder. Do not edit: change the ladder and build again.
 
 -- TON: on-delay timer
--- PT = 3
+-- Fitted to PT = 50 ticks.
+-- Example, with PT = 3:
 -- IN  _#######__###__##_
 -- Q   ____####__________
 -- ET  001233330001200010

@@ -6,7 +6,8 @@
 /* verilator lint_off DECLFILENAME */
 
 // TON: on-delay timer
-// PT = 3
+// Fitted to power = 1, PT = 20 ticks.
+// Example, with PT = 3:
 // IN  _#######__###__##_
 // Q   ____####__________
 // ET  001233330001200010
@@ -20,10 +21,10 @@ module race_three_pushes_TON_power1_PT20 (
   reg [4:0] ET = 5'd0;
   reg was = 1'b0;
 
-  wire equal = ET == 5'h14;
+  wire equal = ET == 5'd20;
   wire [4:0] sum = ET + {4'b0, tick & ~equal};
   wire [4:0] choice = was ? sum : 5'd0;
-  wire equal_2 = ET == 5'h13;
+  wire equal_2 = ET == 5'd19;
   wire [4:0] ET_next = clear_after ? 5'd0 : choice;
 
   assign Q = was & (tick & equal_2 | equal);

@@ -1,7 +1,8 @@
 -- Made by hotrail 0.1.0 from race_two_pushes.ladder. Do not edit: change the ladder and build again.
 
 -- CTU: up counter
--- PV = 2
+-- Fitted to PV = 2.
+-- Example, with PV = 2:
 -- IN  _#_##_#_#__#_#_
 -- R   _________##____
 -- Q   ___######____##
@@ -50,7 +51,8 @@ begin
 end architecture rtl;
 
 -- TON: on-delay timer
--- PT = 3
+-- Fitted to PT = 20 ticks.
+-- Example, with PT = 3:
 -- IN  _#######__###__##_
 -- Q   ____####__________
 -- ET  001233330001200010

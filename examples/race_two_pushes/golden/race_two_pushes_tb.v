@@ -7,7 +7,8 @@
 /* verilator lint_off DECLFILENAME */
 
 // CTU: up counter
-// PV = 2
+// Fitted to PV = 2.
+// Example, with PV = 2:
 // IN  _#_##_#_#__#_#_
 // R   _________##____
 // Q   ___######____##
@@ -24,7 +25,7 @@ module race_two_pushes_test_CTU_PV2 (
   reg [14:0] CV_reg = 15'd0;
   reg was = 1'b0;
 
-  wire unequal = CV_reg != 15'h7fff;
+  wire unequal = CV_reg != 15'd32767;
   wire [14:0] CV_value = CV_reg + {14'b0, power & ~was & unequal};
   wire [14:0] CV_next = clear_after ? 15'd0 : CV_value;
 
@@ -44,7 +45,8 @@ module race_two_pushes_test_CTU_PV2 (
 endmodule
 
 // TON: on-delay timer
-// PT = 3
+// Fitted to PT = 20 ticks.
+// Example, with PT = 3:
 // IN  _#######__###__##_
 // Q   ____####__________
 // ET  001233330001200010
@@ -60,10 +62,10 @@ module race_two_pushes_test_TON_PT20 (
   reg was = 1'b0;
 
   wire condition = power & was;
-  wire equal = ET == 5'h14;
+  wire equal = ET == 5'd20;
   wire [4:0] sum = ET + {4'b0, tick & ~equal};
   wire [4:0] choice = condition ? sum : 5'd0;
-  wire equal_2 = ET == 5'h13;
+  wire equal_2 = ET == 5'd19;
   wire [4:0] ET_next = clear_after ? 5'd0 : choice;
 
   assign Q = condition & (tick & equal_2 | equal);

@@ -4,7 +4,8 @@
 -- signals have no value yet.
 
 -- CTU: up counter
--- PV = 2
+-- Fitted to PV = 2.
+-- Example, with PV = 2:
 -- IN  _#_##_#_#__#_#_
 -- R   _________##____
 -- Q   ___######____##
@@ -55,7 +56,8 @@ begin
 end architecture rtl;
 
 -- TON: on-delay timer
--- PT = 3
+-- Fitted to PT = 20 ticks.
+-- Example, with PT = 3:
 -- IN  _#######__###__##_
 -- Q   ____####__________
 -- ET  001233330001200010

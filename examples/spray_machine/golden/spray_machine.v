@@ -6,7 +6,8 @@
 /* verilator lint_off DECLFILENAME */
 
 // TON: on-delay timer
-// PT = 3
+// Fitted to PT = 15 ticks.
+// Example, with PT = 3:
 // IN  _#######__###__##_
 // Q   ____####__________
 // ET  001233330001200010
@@ -21,10 +22,10 @@ module spray_machine_TON_PT15 (
   reg was = 1'b0;
 
   wire condition = power & was;
-  wire equal = ET == 4'hf;
+  wire equal = ET == 4'd15;
   wire [3:0] sum = ET + {3'b0, tick & ~equal};
   wire [3:0] ET_next = condition ? sum : 4'd0;
-  wire equal_2 = ET == 4'he;
+  wire equal_2 = ET == 4'd14;
 
   assign Q = condition & (tick & equal_2 | equal);
 
@@ -40,7 +41,8 @@ module spray_machine_TON_PT15 (
 endmodule
 
 // TP: pulse timer
-// PT = 3
+// Fitted to PT = 20 ticks.
+// Example, with PT = 3:
 // IN  _#####_#_#__
 // Q   _###___###__
 // ET  001233001200
@@ -55,9 +57,9 @@ module spray_machine_TP_PT20 (
   reg run = 1'b0;
   reg was = 1'b0;
 
-  wire equal = ET == 5'h14;
+  wire equal = ET == 5'd20;
   wire [4:0] sum = ET + {4'b0, tick & ~equal};
-  wire equal_2 = ET == 5'h13;
+  wire equal_2 = ET == 5'd19;
   wire condition = power & ~was;
   wire [4:0] choice = condition ? 5'd0 : ET;
   wire [4:0] choice_2 = run ? sum : choice;

@@ -1,7 +1,8 @@
 -- Made by hotrail 0.1.0 from spray_machine.ladder. Do not edit: change the ladder and build again.
 
 -- TON: on-delay timer
--- PT = 3
+-- Fitted to PT = 15 ticks.
+-- Example, with PT = 3:
 -- IN  _#######__###__##_
 -- Q   ____####__________
 -- ET  001233330001200010
@@ -51,7 +52,8 @@ begin
 end architecture rtl;
 
 -- TP: pulse timer
--- PT = 3
+-- Fitted to PT = 20 ticks.
+-- Example, with PT = 3:
 -- IN  _#####_#_#__
 -- Q   _###___###__
 -- ET  001233001200

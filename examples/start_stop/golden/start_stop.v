@@ -6,7 +6,8 @@
 /* verilator lint_off DECLFILENAME */
 
 // TON: on-delay timer
-// PT = 3
+// Fitted to PT = 5000 ticks.
+// Example, with PT = 3:
 // IN  _#######__###__##_
 // Q   ____####__________
 // ET  001233330001200010
@@ -26,7 +27,7 @@ module start_stop_TON_PT5000 (
   wire [12:0] sum = ET + 13'd1;
   wire [12:0] choice = condition_2 ? sum : ET;
   wire [12:0] ET_next = condition ? choice : 13'd0;
-  wire equal = ET == 13'h1387;
+  wire equal = ET == 13'd4999;
   wire choice_2 = condition_2 ? equal : ET_is_5000;
   wire ET_is_5000_next = condition ? choice_2 : 1'b0;
 

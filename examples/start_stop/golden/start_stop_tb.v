@@ -7,7 +7,8 @@
 /* verilator lint_off DECLFILENAME */
 
 // TON: on-delay timer
-// PT = 3
+// Fitted to PT = 5000 ticks.
+// Example, with PT = 3:
 // IN  _#######__###__##_
 // Q   ____####__________
 // ET  001233330001200010
@@ -26,7 +27,7 @@ module start_stop_test_TON_PT5000 (
   wire condition = power & was;
   wire [12:0] sum = ET + {12'b0, tick & ~ET_is_5000};
   wire [12:0] ET_next = condition ? sum : 13'd0;
-  wire equal = ET == 13'h1387;
+  wire equal = ET == 13'd4999;
   wire ET_is_5000_next = condition & (tick & equal | ET_is_5000);
 
   assign Q = ET_is_5000_next;

@@ -6,7 +6,8 @@
 /* verilator lint_off DECLFILENAME */
 
 // TON: on-delay timer
-// PT = 3
+// Fitted to PT = 20 ticks.
+// Example, with PT = 3:
 // IN  _#######__###__##_
 // Q   ____####__________
 // ET  001233330001200010
@@ -26,7 +27,7 @@ module step_sequence_TON_PT20 (
   wire [4:0] sum = ET + 5'd1;
   wire [4:0] choice = condition_2 ? sum : ET;
   wire [4:0] ET_next = condition ? choice : 5'd0;
-  wire equal = ET == 5'h13;
+  wire equal = ET == 5'd19;
   wire choice_2 = condition_2 ? equal : ET_is_20;
   wire ET_is_20_next = condition ? choice_2 : 1'b0;
 
@@ -67,7 +68,7 @@ module step_sequence (
   reg busy_reg = 1'b0;
 
   // rung 1 "part is free", step_sequence.ladder:16
-  wire rung1_equal = step == 3'h4;
+  wire rung1_equal = step == 3'd4;
   wire [2:0] step_rung1 = (rung1_equal & free) ? 3'd0 : step;
 
   // rung 2 "drill is up", step_sequence.ladder:18
@@ -80,7 +81,7 @@ module step_sequence (
     .power(up_time_power),
     .Q(up_time_Q)
   );
-  wire [2:0] step_rung2 = up_time_Q ? 3'h4 : step_rung1;
+  wire [2:0] step_rung2 = up_time_Q ? 3'd4 : step_rung1;
 
   // rung 3 "hole is deep enough", step_sequence.ladder:20
   wire rung3_equal = step_rung2 == 3'd2;
@@ -99,7 +100,7 @@ module step_sequence (
 
   // rung 7 "outputs of the steps", step_sequence.ladder:30
   wire rung7_unequal = step_next != 3'd0;
-  wire rung7_unequal_2 = step_next != 3'h4;
+  wire rung7_unequal_2 = step_next != 3'd4;
   wire clamp_next = rung7_unequal & rung7_unequal_2;
   wire drill_next = step_next == 3'd2;
   wire lift_next = step_next == 3'd3;

@@ -4,7 +4,8 @@
 -- signals have no value yet.
 
 -- TON: on-delay timer
--- PT = 3
+-- Fitted to PT = 20 ticks.
+-- Example, with PT = 3:
 -- IN  _#######__###__##_
 -- Q   ____####__________
 -- ET  001233330001200010
@@ -127,7 +128,7 @@ begin
       power => up_time_power,
       Q => up_time_Q
     );
-  step_rung2 <= "100" when up_time_Q = '1' else step_rung1;
+  step_rung2 <= to_unsigned(4, 3) when up_time_Q = '1' else step_rung1;
 
   -- rung 3 "hole is deep enough", step_sequence.ladder:20
   rung3_equal <= '1' when step_rung2 = 2 else '0';

@@ -6,7 +6,8 @@
 /* verilator lint_off DECLFILENAME */
 
 // TON: on-delay timer
-// PT = 3
+// Fitted to PT = 20 ticks.
+// Example, with PT = 3:
 // IN  _#######__###__##_
 // Q   ____####__________
 // ET  001233330001200010
@@ -26,7 +27,7 @@ module traffic_actuated_TON_PT20 (
   wire [4:0] sum = ET + 5'd1;
   wire [4:0] choice = condition_2 ? sum : ET;
   wire [4:0] ET_next = condition ? choice : 5'd0;
-  wire equal = ET == 5'h13;
+  wire equal = ET == 5'd19;
   wire choice_2 = condition_2 ? equal : ET_is_20;
   wire ET_is_20_next = condition ? choice_2 : 1'b0;
 
@@ -46,7 +47,8 @@ module traffic_actuated_TON_PT20 (
 endmodule
 
 // TON: on-delay timer
-// PT = 3
+// Fitted to power = 1.
+// Example, with PT = 3:
 // IN  _#######__###__##_
 // Q   ____####__________
 // ET  001233330001200010
@@ -98,7 +100,7 @@ module traffic_actuated (
   output wire walk,
   output wire walk_soon
 );
-  reg [3:0] interval = 4'h9;
+  reg [3:0] interval = 4'd9;
   reg walk_soon_reg = 1'b0;
   reg turn_called = 1'b0;
   reg far_loop_before = 1'b0;
@@ -118,7 +120,7 @@ module traffic_actuated (
   reg walk_reg = 1'b0;
 
   // rung 1 "a pedestrian waits", traffic_actuated.ladder:34
-  wire rung1_equal = interval == 4'ha;
+  wire rung1_equal = interval == 4'd10;
   wire walk_soon_rung1 = walk_button & ~rung1_equal | walk_soon_reg;
 
   // rung 2 "a car waits in the turn lane", traffic_actuated.ladder:37
@@ -146,31 +148,31 @@ module traffic_actuated (
   // rung 6 "how long the interval lasts", traffic_actuated.ladder:45
   wire rung6_equal = interval == 4'd3;
   wire rung6_equal_2 = interval == 4'd6;
-  wire rung6_equal_3 = interval == 4'h9;
+  wire rung6_equal_3 = interval == 4'd9;
   wire [6:0] timer_PT_rung6 = (rung6_equal | rung6_equal_2 | rung6_equal_3) ? 7'd10 : timer_PT;
 
   // rung 7, traffic_actuated.ladder:48
   wire rung7_equal = interval == 4'd2;
   wire rung7_equal_2 = interval == 4'd5;
-  wire rung7_equal_3 = interval == 4'h8;
-  wire rung7_equal_4 = interval == 4'hb;
+  wire rung7_equal_3 = interval == 4'd8;
+  wire rung7_equal_4 = interval == 4'd11;
   wire [6:0] timer_PT_rung7 =
       (rung7_equal | rung7_equal_2 | rung7_equal_3 | rung7_equal_4) ? 7'd30 : timer_PT_rung6;
 
   // rung 8, traffic_actuated.ladder:54
   wire rung8_equal = interval == 4'd1;
-  wire [6:0] timer_PT_rung8 = rung8_equal ? 7'h78 : timer_PT_rung7;
+  wire [6:0] timer_PT_rung8 = rung8_equal ? 7'd120 : timer_PT_rung7;
 
   // rung 9, traffic_actuated.ladder:55
   wire [6:0] timer_PT_rung9 = (rung2_equal & ~backed_up_rung5) ? 7'd60 : timer_PT_rung8;
-  wire [6:0] timer_PT_rung9_2 = (rung2_equal & backed_up_rung5) ? 7'h78 : timer_PT_rung9;
+  wire [6:0] timer_PT_rung9_2 = (rung2_equal & backed_up_rung5) ? 7'd120 : timer_PT_rung9;
 
   // rung 10, traffic_actuated.ladder:56
   wire rung10_equal = interval == 4'd7;
-  wire [6:0] timer_PT_rung10 = rung10_equal ? 7'h64 : timer_PT_rung9_2;
+  wire [6:0] timer_PT_rung10 = rung10_equal ? 7'd100 : timer_PT_rung9_2;
 
   // rung 11, traffic_actuated.ladder:57
-  wire [6:0] timer_PT_next = rung1_equal ? 7'h50 : timer_PT_rung10;
+  wire [6:0] timer_PT_next = rung1_equal ? 7'd80 : timer_PT_rung10;
   wire [31:0] timer_PT_2 = {25'b0, timer_PT_next};
 
   // rung 12 "which one comes next", traffic_actuated.ladder:59
@@ -182,7 +184,7 @@ module traffic_actuated (
 
   // rung 14, traffic_actuated.ladder:62
   wire rung14_power = rung6_equal_3 & walk_soon_rung1;
-  wire [3:0] next_rung14 = rung14_power ? 4'ha : next_rung13;
+  wire [3:0] next_rung14 = rung14_power ? 4'd10 : next_rung13;
   wire rung14_power_2 = rung6_equal_3 & ~walk_soon_rung1;
   wire [3:0] next_rung14_2 = rung14_power_2 ? 4'd1 : next_rung14;
 
@@ -278,7 +280,7 @@ module traffic_actuated (
 
   always @(posedge clk) begin
     if (rst) begin
-      interval <= 4'h9;
+      interval <= 4'd9;
       walk_soon_reg <= 1'b0;
       turn_called <= 1'b0;
       far_loop_before <= 1'b0;

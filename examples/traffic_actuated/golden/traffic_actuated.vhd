@@ -1,7 +1,8 @@
 -- Made by hotrail 0.1.0 from traffic_actuated.ladder. Do not edit: change the ladder and build again.
 
 -- TON: on-delay timer
--- PT = 3
+-- Fitted to PT = 20 ticks.
+-- Example, with PT = 3:
 -- IN  _#######__###__##_
 -- Q   ____####__________
 -- ET  001233330001200010
@@ -60,7 +61,8 @@ begin
 end architecture rtl;
 
 -- TON: on-delay timer
--- PT = 3
+-- Fitted to power = 1.
+-- Example, with PT = 3:
 -- IN  _#######__###__##_
 -- Q   ____####__________
 -- ET  001233330001200010
@@ -135,7 +137,7 @@ entity traffic_actuated is
 end entity traffic_actuated;
 
 architecture rtl of traffic_actuated is
-  signal interval : unsigned(3 downto 0) := x"9";
+  signal interval : unsigned(3 downto 0) := to_unsigned(9, 4);
   signal walk_soon_reg : std_logic := '0';
   signal turn_called : std_logic := '0';
   signal far_loop_before : std_logic := '0';
@@ -253,19 +255,20 @@ begin
 
   -- rung 8, traffic_actuated.ladder:54
   rung8_equal <= '1' when interval = 1 else '0';
-  timer_PT_rung8 <= "1111000" when rung8_equal = '1' else timer_PT_rung7;
+  timer_PT_rung8 <= to_unsigned(120, 7) when rung8_equal = '1' else timer_PT_rung7;
 
   -- rung 9, traffic_actuated.ladder:55
   timer_PT_rung9 <=
       to_unsigned(60, 7) when (rung2_equal and not backed_up_rung5) = '1' else timer_PT_rung8;
-  timer_PT_rung9_2 <= "1111000" when (rung2_equal and backed_up_rung5) = '1' else timer_PT_rung9;
+  timer_PT_rung9_2 <=
+      to_unsigned(120, 7) when (rung2_equal and backed_up_rung5) = '1' else timer_PT_rung9;
 
   -- rung 10, traffic_actuated.ladder:56
   rung10_equal <= '1' when interval = 7 else '0';
-  timer_PT_rung10 <= "1100100" when rung10_equal = '1' else timer_PT_rung9_2;
+  timer_PT_rung10 <= to_unsigned(100, 7) when rung10_equal = '1' else timer_PT_rung9_2;
 
   -- rung 11, traffic_actuated.ladder:57
-  timer_PT_next <= "1010000" when rung1_equal = '1' else timer_PT_rung10;
+  timer_PT_next <= to_unsigned(80, 7) when rung1_equal = '1' else timer_PT_rung10;
   timer_PT_2 <= resize(timer_PT_next, 32);
 
   -- rung 12 "which one comes next", traffic_actuated.ladder:59
@@ -277,7 +280,7 @@ begin
 
   -- rung 14, traffic_actuated.ladder:62
   rung14_power <= rung6_equal_3 and walk_soon_rung1;
-  next_rung14 <= x"A" when rung14_power = '1' else next_rung13;
+  next_rung14 <= to_unsigned(10, 4) when rung14_power = '1' else next_rung13;
   rung14_power_2 <= rung6_equal_3 and not walk_soon_rung1;
   next_rung14_2 <= to_unsigned(1, 4) when rung14_power_2 = '1' else next_rung14;
 
@@ -384,7 +387,7 @@ begin
   begin
     if rising_edge(clk) then
       if rst = '1' then
-        interval <= x"9";
+        interval <= to_unsigned(9, 4);
         walk_soon_reg <= '0';
         turn_called <= '0';
         far_loop_before <= '0';

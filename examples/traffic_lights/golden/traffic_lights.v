@@ -6,7 +6,8 @@
 /* verilator lint_off DECLFILENAME */
 
 // TON: on-delay timer
-// PT = 3
+// Fitted to power = 1, PT = 120 ticks.
+// Example, with PT = 3:
 // IN  _#######__###__##_
 // Q   ____####__________
 // ET  001233330001200010
@@ -20,10 +21,10 @@ module traffic_lights_TON_power1_PT120 (
   reg [6:0] ET = 7'd0;
   reg was = 1'b0;
 
-  wire equal = ET == 7'h78;
+  wire equal = ET == 7'd120;
   wire [6:0] sum = ET + {6'b0, tick & ~equal};
   wire [6:0] choice = was ? sum : 7'd0;
-  wire equal_2 = ET == 7'h77;
+  wire equal_2 = ET == 7'd119;
   wire [6:0] ET_next = clear_after ? 7'd0 : choice;
 
   assign Q = was & (tick & equal_2 | equal);
@@ -40,7 +41,8 @@ module traffic_lights_TON_power1_PT120 (
 endmodule
 
 // TON: on-delay timer
-// PT = 3
+// Fitted to PT = 30 ticks.
+// Example, with PT = 3:
 // IN  _#######__###__##_
 // Q   ____####__________
 // ET  001233330001200010
@@ -60,7 +62,7 @@ module traffic_lights_TON_PT30 (
   wire [4:0] sum = ET + 5'd1;
   wire [4:0] choice = condition_2 ? sum : ET;
   wire [4:0] ET_next = condition ? choice : 5'd0;
-  wire equal = ET == 5'h1d;
+  wire equal = ET == 5'd29;
   wire choice_2 = condition_2 ? equal : ET_is_30;
   wire ET_is_30_next = condition ? choice_2 : 1'b0;
 
@@ -80,7 +82,8 @@ module traffic_lights_TON_PT30 (
 endmodule
 
 // TON: on-delay timer
-// PT = 3
+// Fitted to PT = 60 ticks.
+// Example, with PT = 3:
 // IN  _#######__###__##_
 // Q   ____####__________
 // ET  001233330001200010
@@ -100,7 +103,7 @@ module traffic_lights_TON_PT60 (
   wire [5:0] sum = ET + 6'd1;
   wire [5:0] choice = condition_2 ? sum : ET;
   wire [5:0] ET_next = condition ? choice : 6'd0;
-  wire equal = ET == 6'h3b;
+  wire equal = ET == 6'd59;
   wire choice_2 = condition_2 ? equal : ET_is_60;
   wire ET_is_60_next = condition ? choice_2 : 1'b0;
 
@@ -120,7 +123,8 @@ module traffic_lights_TON_PT60 (
 endmodule
 
 // TON: on-delay timer
-// PT = 3
+// Fitted to PT = 100 ticks.
+// Example, with PT = 3:
 // IN  _#######__###__##_
 // Q   ____####__________
 // ET  001233330001200010
@@ -140,7 +144,7 @@ module traffic_lights_TON_PT100 (
   wire [6:0] sum = ET + 7'd1;
   wire [6:0] choice = condition_2 ? sum : ET;
   wire [6:0] ET_next = condition ? choice : 7'd0;
-  wire equal = ET == 7'h63;
+  wire equal = ET == 7'd99;
   wire choice_2 = condition_2 ? equal : ET_is_100;
   wire ET_is_100_next = condition ? choice_2 : 1'b0;
 

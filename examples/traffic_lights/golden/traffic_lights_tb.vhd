@@ -4,7 +4,8 @@
 -- signals have no value yet.
 
 -- TON: on-delay timer
--- PT = 3
+-- Fitted to power = 1, PT = 120 ticks.
+-- Example, with PT = 3:
 -- IN  _#######__###__##_
 -- Q   ____####__________
 -- ET  001233330001200010
@@ -56,7 +57,8 @@ begin
 end architecture rtl;
 
 -- TON: on-delay timer
--- PT = 3
+-- Fitted to PT = 30 ticks.
+-- Example, with PT = 3:
 -- IN  _#######__###__##_
 -- Q   ____####__________
 -- ET  001233330001200010
@@ -115,7 +117,8 @@ begin
 end architecture rtl;
 
 -- TON: on-delay timer
--- PT = 3
+-- Fitted to PT = 60 ticks.
+-- Example, with PT = 3:
 -- IN  _#######__###__##_
 -- Q   ____####__________
 -- ET  001233330001200010
@@ -174,7 +177,8 @@ begin
 end architecture rtl;
 
 -- TON: on-delay timer
--- PT = 3
+-- Fitted to PT = 100 ticks.
+-- Example, with PT = 3:
 -- IN  _#######__###__##_
 -- Q   ____####__________
 -- ET  001233330001200010

@@ -6,7 +6,8 @@
 /* verilator lint_off DECLFILENAME */
 
 // TON: on-delay timer
-// PT = 3
+// Fitted to power = 1.
+// Example, with PT = 3:
 // IN  _#######__###__##_
 // Q   ____####__________
 // ET  001233330001200010
@@ -86,13 +87,13 @@ module traffic_modes (
   wire [6:0] timer_PT_rung3 = interval_is_10 ? 7'd10 : timer_PT_rung2;
 
   // rung 4, traffic_modes.ladder:35
-  wire [6:0] timer_PT_rung4 = ns_green_reg ? 7'h78 : timer_PT_rung3;
+  wire [6:0] timer_PT_rung4 = ns_green_reg ? 7'd120 : timer_PT_rung3;
 
   // rung 5, traffic_modes.ladder:36
   wire [6:0] timer_PT_rung5 = turn_green_reg ? 7'd60 : timer_PT_rung4;
 
   // rung 6, traffic_modes.ladder:37
-  wire [6:0] timer_PT_next = ew_green_reg ? 7'h64 : timer_PT_rung5;
+  wire [6:0] timer_PT_next = ew_green_reg ? 7'd100 : timer_PT_rung5;
   wire [31:0] timer_PT_2 = {25'b0, timer_PT_next};
 
   // rung 7 "which one comes next", traffic_modes.ladder:39

@@ -1,7 +1,8 @@
 -- Made by hotrail 0.1.0 from traffic_modes.ladder. Do not edit: change the ladder and build again.
 
 -- TON: on-delay timer
--- PT = 3
+-- Fitted to power = 1.
+-- Example, with PT = 3:
 -- IN  _#######__###__##_
 -- Q   ____####__________
 -- ET  001233330001200010
@@ -148,13 +149,13 @@ begin
   timer_PT_rung3 <= to_unsigned(10, 7) when interval_is_10 = '1' else timer_PT_rung2;
 
   -- rung 4, traffic_modes.ladder:35
-  timer_PT_rung4 <= "1111000" when ns_green_reg = '1' else timer_PT_rung3;
+  timer_PT_rung4 <= to_unsigned(120, 7) when ns_green_reg = '1' else timer_PT_rung3;
 
   -- rung 5, traffic_modes.ladder:36
   timer_PT_rung5 <= to_unsigned(60, 7) when turn_green_reg = '1' else timer_PT_rung4;
 
   -- rung 6, traffic_modes.ladder:37
-  timer_PT_next <= "1100100" when ew_green_reg = '1' else timer_PT_rung5;
+  timer_PT_next <= to_unsigned(100, 7) when ew_green_reg = '1' else timer_PT_rung5;
   timer_PT_2 <= resize(timer_PT_next, 32);
 
   -- rung 7 "which one comes next", traffic_modes.ladder:39

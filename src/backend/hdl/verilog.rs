@@ -136,7 +136,8 @@ impl fmt::Display for Range {
     }
 }
 
-/// A sized number: decimal, or hexadecimal where the top bit is set.
+/// A sized number: decimal, or hexadecimal where it uses the top bit of a word of 8, 16, 32 or 64
+/// bits. Such a word is a pattern or a number below 0; words of other widths were cut to fit.
 pub struct Number {
     bits: u64,
     width: u32,
@@ -156,7 +157,7 @@ impl fmt::Display for Number {
         let sign = if signed { "s" } else { "" };
         if width == 1 {
             write!(f, "1'{sign}b{bits}")
-        } else if bits >> (width - 1) == 0 {
+        } else if bits >> (width - 1) == 0 || !signed && !matches!(width, 8 | 16 | 32 | 64) {
             write!(f, "{width}'{sign}d{bits}")
         } else if signed && bits.trailing_zeros() < width - 1 {
             // The lowest number has no opposite to put a minus before.

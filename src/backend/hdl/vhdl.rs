@@ -104,7 +104,9 @@ impl fmt::Display for Number {
         let digits = width as usize;
         if width == 1 {
             write!(f, "'{bits}'")
-        } else if bits >> (width - 1) == 0 && bits <= i32::MAX as u64 {
+        } else if bits <= i32::MAX as u64
+            && (bits >> (width - 1) == 0 || !matches!(width, 8 | 16 | 32 | 64))
+        {
             write!(f, "to_unsigned({bits}, {width})")
         } else if width.is_multiple_of(4) {
             write!(f, "x\"{bits:0digits$X}\"", digits = digits / 4)

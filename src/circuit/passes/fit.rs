@@ -7,8 +7,8 @@ use la_arena::Arena;
 
 use crate::circuit::flatten::copy_cell;
 use crate::circuit::{
-    Cell, Circuit, Design, Instance, InstanceId, ModuleId, Net, Op, Operands, Output, Register,
-    Section, Signal, Version,
+    Cell, Circuit, Design, Input, Instance, InstanceId, ModuleId, Net, Op, Operands, Output,
+    Reading, Register, Section, Signal, Version, as_signed,
 };
 use crate::index::index;
 
@@ -37,7 +37,9 @@ pub fn fit(design: Design) -> Design {
         }
         let inputs = fitted.needs(module, outputs);
         let id = *pruned.entry((module, outputs)).or_insert_with(|| {
-            result.alloc(prune_module(&fitted.modules[module], outputs, inputs))
+            let mut small = prune_module(&fitted.modules[module], outputs, inputs);
+            fitted.describe(&modules, module, outputs, &mut small);
+            result.alloc(small)
         });
         let inputs = select(&instance.inputs, inputs).copied().collect();
         instances.alloc(Instance { name: instance.name.clone(), module: id, inputs });
@@ -56,6 +58,8 @@ fn select<T>(ports: &[T], set: PortSet) -> impl Iterator<Item = &T> {
 #[derive(Default)]
 struct Fitted {
     modules: Vec<Circuit>,
+    /// Of what each is a copy, and its constants.
+    origins: Vec<(ModuleId, Vec<Option<u64>>)>,
     by_constants: HashMap<(ModuleId, Vec<Option<u64>>), usize>,
     needs: HashMap<(usize, PortSet), PortSet>,
 }
@@ -71,8 +75,35 @@ impl Fitted {
         }
         let module = &modules[index(instance.module)];
         self.modules.push(fold(module, &key.1));
+        self.origins.push(key.clone());
         self.by_constants.insert(key, self.modules.len() - 1);
         self.modules.len() - 1
+    }
+
+    /// Writes into the name and the head of what is left of a module which constants it was made
+    /// for: those without which it would be another one.
+    fn describe(&self, modules: &[Circuit], module: usize, outputs: PortSet, left: &mut Circuit) {
+        let (origin, constants) = &self.origins[module];
+        let origin = &modules[index(*origin)];
+        let mut fitted = Vec::new();
+        for (port, input) in origin.inputs.iter().enumerate() {
+            let Some(bits) = constants[port].filter(|&bits| bits != 0 || input.width > 1) else {
+                continue;
+            };
+            let mut others = constants.clone();
+            others[port] = None;
+            let general = fold(origin, &others);
+            let live = Liveness::from_outputs(&general, select(&general.outputs, outputs));
+            let is_port = |(_, cell): &(Net, Cell)| cell.op == Op::Input(port as u32);
+            if general.cells().find(is_port).is_some_and(|(net, _)| live.nets[index(net)]) {
+                left.name += &constant_name(input, bits);
+                fitted.push(constant_text(input, bits));
+            }
+        }
+        if !fitted.is_empty() {
+            let line = left.comment.len().min(1);
+            left.comment.insert(line, format!("Fitted to {}.", fitted.join(", ")));
+        }
     }
 
     /// The inputs that a module needs to show these outputs.
@@ -136,22 +167,43 @@ impl Liveness {
     }
 }
 
+fn number(input: &Input, bits: u64) -> i64 {
+    match input.reading {
+        Reading::Signed => as_signed(bits, input.width),
+        Reading::Unsigned | Reading::Ticks => bits as i64,
+    }
+}
+
+/// A constant for an input as a part of a module's name.
+fn constant_name(input: &Input, bits: u64) -> String {
+    let number = number(input, bits);
+    let sign = if number < 0 { "_minus" } else { "" };
+    format!("_{}{sign}{}", input.name, number.unsigned_abs())
+}
+
+/// A constant for an input as people read it.
+fn constant_text(input: &Input, bits: u64) -> String {
+    let number = number(input, bits);
+    let unit = match (input.reading, number) {
+        (Reading::Ticks, 1) => " tick",
+        (Reading::Ticks, _) => " ticks",
+        (Reading::Unsigned | Reading::Signed, _) => "",
+    };
+    format!("{} = {number}{unit}", input.name)
+}
+
 /// The module with constants for some of its inputs. The inputs stay, so that ports keep their
-/// numbers; a constant that is not 0 shows in the name.
+/// numbers.
 fn fold(module: &Circuit, constants: &[Option<u64>]) -> Circuit {
     let mut folded = Circuit::new(&module.name);
     folded.comment.clone_from(&module.comment);
     folded.signals.clone_from(&module.signals);
-    for (input, constant) in module.inputs.iter().zip(constants) {
-        if let Some(value) = constant.filter(|&value| value != 0 || input.width > 1) {
-            folded.name += &format!("_{}{value}", input.name);
-        }
-    }
     let mut nets: Vec<Net> = Vec::with_capacity(module.len());
     for (_, cell) in module.cells() {
         let net = match cell.op {
             Op::Input(port) => {
-                let input = folded.input(module.inputs[port as usize].name.clone(), cell.width);
+                let Input { name, reading, .. } = module.inputs[port as usize].clone();
+                let input = folded.input_of(name, cell.width, reading);
                 match constants[port as usize] {
                     Some(value) => folded.constant(value, cell.width),
                     None => input,

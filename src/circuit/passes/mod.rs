@@ -36,20 +36,33 @@ pub fn simplify(design: Design) -> Design {
     let fitted = fit::fit(design);
     let mut circuits: Vec<Circuit> = fitted.modules.into_iter().map(|(_, module)| module).collect();
     let top = circuits.pop().expect("a design has a top");
+    if circuits.is_empty() {
+        let better = reduce(&top);
+        let is_better = better.is_some();
+        let design = Design { modules: [better.unwrap_or(top)].into_iter().collect() };
+        // Contacts and coils alone are done already: a large program is not copied for nothing.
+        return if is_better { fit::fit(design) } else { design };
+    }
     let modules: Vec<(Circuit, Vec<Shown>)> = circuits
         .into_iter()
         .map(|module| {
-            let mut module = reduce(module);
+            let mut module = reduce(&module).unwrap_or(module);
             let shown = ports::narrow_outputs(&mut module);
             (module, shown)
         })
         .collect();
-    let top = reduce(ports::read_narrow(&top, &modules));
+    let top = ports::read_narrow(&top, &modules);
+    let top = reduce(&top).unwrap_or(top);
     let modules = modules.into_iter().map(|(module, _)| module).chain([top]).collect();
     // What only the larger circuits read goes.
     fit::fit(Design { modules })
 }
 
-fn reduce(circuit: Circuit) -> Circuit {
-    PASSES.iter().fold(circuit, |circuit, pass| pass(&circuit).unwrap_or(circuit))
+/// What the passes make of a circuit, or nothing if none has anything to do.
+fn reduce(circuit: &Circuit) -> Option<Circuit> {
+    let one = |better: Option<Circuit>, pass: &Pass| {
+        let next = pass(better.as_ref().unwrap_or(circuit));
+        next.or(better)
+    };
+    PASSES.iter().fold(None, one)
 }

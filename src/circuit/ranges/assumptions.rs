@@ -8,6 +8,8 @@ use crate::circuit::{Circuit, Net, Op};
 /// How many cells one question looks at. Behind them the interval stands that holds without any
 /// condition, so that the time does not grow with the circuit.
 const BUDGET: u32 = 200;
+/// How many operands of a list are looked at; the others may be any word.
+const OPERANDS: usize = 64;
 
 /// Conditions that hold, and what follows from them.
 pub struct Assumptions<'a> {
@@ -53,14 +55,13 @@ impl<'a> Assumptions<'a> {
 
     /// Learns what follows from a bit alone.
     fn follow(&mut self, bit: Net, value: bool) -> bool {
-        let is = Interval::bits(u64::from(value), 1);
-        if !self.learn(bit, is) {
-            return false;
-        }
         if self.budget == 0 {
             return true;
         }
         self.budget -= 1;
+        if !self.learn(bit, Interval::bits(u64::from(value), 1)) {
+            return false;
+        }
         let circuit = self.circuit;
         match circuit.cell(bit).op {
             Op::Not(from) => self.follow(from, !value),
@@ -136,7 +137,10 @@ impl<'a> Assumptions<'a> {
     /// `all`: the list is an `And`, else an `Or`.
     fn assume_list(&mut self, list: &'a [Net], value: bool, all: bool) -> bool {
         if value == all {
-            return list.iter().all(|&operand| self.follow(operand, value));
+            return list.iter().take(OPERANDS).all(|&operand| self.follow(operand, value));
+        }
+        if list.len() > OPERANDS {
+            return true;
         }
         self.undecided.push((list, all));
         self.decide(list, all)
@@ -203,19 +207,27 @@ impl<'a> Assumptions<'a> {
             Op::Not(from) => self.interval(from).not(),
             Op::And(list) => {
                 let (mut highest, mut lowest) = (super::mask(width), super::mask(width));
-                for &operand in self.circuit.list(list) {
+                let list = self.circuit.list(list);
+                for &operand in list.iter().take(OPERANDS) {
                     let (low, high) = self.interval(operand).unsigned();
                     highest = highest.min(high);
                     lowest = if width == 1 { lowest & low } else { 0 };
+                }
+                if list.len() > OPERANDS {
+                    lowest = 0;
                 }
                 Interval::new(lowest.into(), highest.into(), width)
             }
             Op::Or(list) => {
                 let (mut lowest, mut bits) = (0, 0);
-                for &operand in self.circuit.list(list) {
+                let list = self.circuit.list(list);
+                for &operand in list.iter().take(OPERANDS) {
                     let (low, high) = self.interval(operand).unsigned();
                     lowest = lowest.max(low);
                     bits |= super::filled(high);
+                }
+                if list.len() > OPERANDS {
+                    bits = super::mask(width);
                 }
                 Interval::new(lowest.into(), bits.into(), width)
             }
@@ -289,6 +301,10 @@ impl<'a> Assumptions<'a> {
         b: Net,
         by: fn(Interval, Interval) -> Interval,
     ) -> Option<Interval> {
+        if self.budget == 0 {
+            return Some(by(self.found(a), self.found(b)));
+        }
+        self.budget -= 1;
         for (choice, other) in [(b, a), (a, b)] {
             let in_order =
                 |chosen, other| if choice == b { by(other, chosen) } else { by(chosen, other) };

@@ -28,12 +28,13 @@ impl Interval {
 
     /// The numbers from `low` to `high`, wrapped.
     pub fn new(low: i128, high: i128, width: u32) -> Self {
-        let modulus = 1 << width;
+        let modulus: i128 = 1 << width;
         if high - low >= modulus - 1 {
             return Interval::full(width);
         }
         let half = modulus / 2;
-        let shift = (low + half).rem_euclid(modulus) - half - low;
+        // The lowest bits of a number are what is left of it modulo a power of two.
+        let shift = ((low + half) & (modulus - 1)) - half - low;
         Interval { low: low + shift, high: high + shift, width }
     }
 
