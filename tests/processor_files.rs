@@ -129,15 +129,11 @@ fn images_that_cannot_run_are_told_apart() {
 
 #[test]
 fn an_image_draws_the_ladder_that_it_came_from() {
-    let mut drawn = 0;
-    for seed in 0..400 {
-        let (program, _) = hotrail::analyze(&Source::new("test.ladder", relay::program(seed)));
-        let Ok(image) = processor::compile(&program.unwrap()) else { continue };
-        let Ok(text) = processor::ladder(&image.rom, "again") else { continue };
+    for seed in 0..300 {
+        let image = image(&relay::plain_program(seed));
+        let text = processor::ladder(&image.rom, "again").expect("it can be drawn");
         assert_eq!(self::image(&text).rom, image.rom, "seed {seed}:\n{text}");
-        drawn += 1;
     }
-    assert!(drawn > 50, "{drawn}");
 }
 
 fn hotrail(folder: &Path, arguments: &[&str]) -> (i32, String) {

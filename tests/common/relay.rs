@@ -12,6 +12,7 @@ struct Generator {
     uncalled: Vec<(String, &'static str)>,
     latches: Vec<String>,
     is_tick_short: bool,
+    is_plain: bool,
 }
 
 const LATCHES: [&str; 4] = ["SR", "RS", "R_TRIG", "F_TRIG"];
@@ -20,6 +21,15 @@ const FUNCTIONS: [&str; 10] = ["TON", "TOF", "TP", "TS", "T1_0", "UC", "DC", "DR
 
 /// The text of the random program of a seed.
 pub fn program(seed: u64) -> String {
+    text_of(seed, false)
+}
+
+/// One whose image is contacts, coils and latches and nothing else.
+pub fn plain_program(seed: u64) -> String {
+    text_of(seed, true)
+}
+
+fn text_of(seed: u64, is_plain: bool) -> String {
     let mut generator = Generator {
         random: Rng::with_seed(seed),
         bits: vec!["first_scan".to_owned()],
@@ -27,6 +37,7 @@ pub fn program(seed: u64) -> String {
         uncalled: Vec::new(),
         latches: Vec::new(),
         is_tick_short: false,
+        is_plain,
     };
     generator.is_tick_short = generator.random.bool();
     let tick = if generator.is_tick_short { "100ms" } else { "1s" };
@@ -69,7 +80,15 @@ impl Generator {
                 }
             }
         }
-        writeln!(text, "input level : INT\nvar fixed : INT := 2").unwrap();
+        if self.is_plain {
+            return;
+        }
+        writeln!(text, "input level : INT\nvar fixed : INT := 2\nvar word : WORD := 16#0F")
+            .unwrap();
+        for bit in [0, 3, 15] {
+            self.bits.push(format!("word.{bit}"));
+            self.coils.push(format!("word.{bit}"));
+        }
         for index in 0..self.random.usize(..4) {
             let name = format!("b{index}");
             self.bits.push(format!("{name}.Q"));
@@ -122,7 +141,7 @@ impl Generator {
                 format!("{edge}({bit})")
             }
             2 => format!("{{ {} }}", self.condition(2)),
-            9 if depth > 1 => self.net(),
+            9 if depth > 1 && !self.is_plain => self.net(),
             3..=8 if depth > 0 => {
                 let branches = 1 + self.random.usize(..4);
                 let list: Vec<String> = (0..branches).map(|_| self.looks(depth - 1)).collect();
@@ -175,7 +194,7 @@ impl Generator {
     fn output(&mut self) -> String {
         let coil = self.pick(&self.coils.clone());
         match self.random.u32(..12) {
-            0 => format!("{{ {coil} := {} }}", self.condition(2)),
+            0 if !coil.contains('.') => format!("{{ {coil} := {} }}", self.condition(2)),
             1 if !self.latches.is_empty() => format!("(R {})", self.pick(&self.latches.clone())),
             _ => {
                 let action = self.pick(&["", "", "", "", "!", "S ", "R ", "rise ", "fall "]);

@@ -153,7 +153,7 @@ impl Compiler<'_> {
         let coil = self.output_flag(call.instance, "Q")?;
         let mut now = self.single(Power::Drawn(power))?;
         if now.address == coil {
-            now = self.into_flag(&Tree::Contact(now))?;
+            now = self.flagged(&Tree::Contact(now))?;
         }
         let memory = self.member(call.instance, "was");
         self.change(now, edge, memory, coil)?;

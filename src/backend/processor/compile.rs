@@ -243,7 +243,7 @@ impl Compiler<'_> {
     }
 
     /// Puts a power into a flag.
-    pub(super) fn into_flag(&mut self, tree: &Tree) -> Done<Contact> {
+    pub(super) fn flagged(&mut self, tree: &Tree) -> Done<Contact> {
         let coil = self.flag()?;
         self.output(tree, Operation::Coil, coil)?;
         Ok(Contact { address: coil, negated: false })
@@ -253,7 +253,7 @@ impl Compiler<'_> {
     pub(super) fn inverted(&mut self, tree: &Tree) -> Done<Tree> {
         match tree.inverted() {
             Some(inverted) => Ok(inverted),
-            None => Ok(Tree::off(self.into_flag(tree)?.address)),
+            None => Ok(Tree::off(self.flagged(tree)?.address)),
         }
     }
 
@@ -276,7 +276,7 @@ impl Compiler<'_> {
         match tree.single() {
             Some(contact) => Ok(contact),
             None if tree.is_wire() => Ok(Contact { address: super::word::ONE, negated: false }),
-            None => self.into_flag(&tree),
+            None => self.flagged(&tree),
         }
     }
 
@@ -407,7 +407,7 @@ impl Compiler<'_> {
         let mut left = self.drawn(power)?;
         let is_shared = left.single().is_none() && !left.is_wire();
         if is_shared || left.reads(&|address| written.contains(&address)) {
-            left = Tree::Contact(self.into_flag(&left)?);
+            left = Tree::Contact(self.flagged(&left)?);
         }
         let mut results: Vec<Tree> = Vec::new();
         for (index, branch) in branches.iter().enumerate() {
@@ -416,7 +416,7 @@ impl Compiler<'_> {
                 let mut result = self.drawn(power)?;
                 let later = writes(self, &branches[index + 1..]);
                 if result.reads(&|address| later.contains(&address)) {
-                    result = Tree::Contact(self.into_flag(&result)?);
+                    result = Tree::Contact(self.flagged(&result)?);
                 }
                 results.push(result);
             }
@@ -477,7 +477,7 @@ impl Compiler<'_> {
             CoilAction::Edge(edge, memory) => {
                 let mut now = self.single(power)?;
                 if now.address == coil {
-                    now = self.into_flag(&Tree::Contact(now))?;
+                    now = self.flagged(&Tree::Contact(now))?;
                 }
                 self.change(now, edge, memory, coil)?;
                 return Ok(Power::Drawn(Tree::Contact(now)));

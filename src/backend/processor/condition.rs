@@ -86,7 +86,7 @@ impl Compiler<'_> {
         // The power is looked at after the write, and the value between set and reset.
         let mut left = self.single(Power::Drawn(left))?;
         if left.address == coil {
-            left = self.into_flag(&Tree::Contact(left))?;
+            left = self.flagged(&Tree::Contact(left))?;
         }
         let mut value = self.single(Power::Drawn(value))?;
         if value.address == ONE {
@@ -94,7 +94,7 @@ impl Compiler<'_> {
             return self.write(Power::Drawn(Tree::Contact(left)), operation, coil);
         }
         if value.address == coil {
-            value = self.into_flag(&Tree::Contact(value))?;
+            value = self.flagged(&Tree::Contact(value))?;
         }
         let (on, off) = (value, Contact { negated: !value.negated, ..value });
         for (contact, operation) in [(on, Operation::Set), (off, Operation::Reset)] {

@@ -149,8 +149,9 @@ pub fn ladder(rom: &Rom, name: &str) -> Result<String, usize> {
     if !circuit.is_empty() {
         rung(&circuit, &outputs, &mut rungs).ok_or(start)?;
     }
-    // Every pin keeps its place, also where no rung names it.
+    // Every pin keeps its place, and every bit its value at reset, also where no rung names it.
     let pins = rom.pins;
+    used.extend(&rom.image);
     used.extend(pins.inputs.checked_sub(1));
     used.extend(pins.outputs.checked_sub(1).map(|last| FIRST_OUTPUT + last));
     let mut text = format!("ladder {name}\n");

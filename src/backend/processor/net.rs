@@ -71,7 +71,7 @@ impl Compiler<'_> {
         let middle = present(arm(a, b));
         let middle = match middle.single() {
             Some(contact) => contact,
-            None => self.into_flag(&middle)?,
+            None => self.flagged(&middle)?,
         };
         let bridge = Tree::Bridge(Box::new(Bridge {
             upper_left: present(arm(Net::LEFT, a)),
@@ -96,7 +96,7 @@ impl Compiler<'_> {
         // Each of them will stand in several connections.
         for way in &mut near {
             if way.tree.single().is_none() {
-                way.tree = Tree::Contact(self.into_flag(&way.tree)?);
+                way.tree = Tree::Contact(self.flagged(&way.tree)?);
             }
         }
         *ways = far;

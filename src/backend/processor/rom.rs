@@ -194,7 +194,7 @@ impl Check {
     }
 
     fn writable(&mut self, coil: Address) {
-        if coil < FIRST_OUTPUT || coil >= ONE {
+        if !(FIRST_OUTPUT..ONE).contains(&coil) {
             self.fault(FaultKind::NotWritable(coil));
         }
     }

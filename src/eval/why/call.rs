@@ -4,7 +4,7 @@ use super::explain::Explainer;
 use super::sites::Site;
 use super::{Cause, Power, Reason};
 use crate::blocks::Step;
-use crate::model::{Argument, ArgumentValue, Call, Role, VariableId};
+use crate::model::{Argument, ArgumentValue, Call, VariableId};
 use crate::types::Type;
 
 /// What would change what a block shows.
@@ -84,9 +84,9 @@ impl<'p> Explainer<'_, 'p> {
         let scene = self.scene(&detail);
         let program = self.why.program;
         let instance = &program.instances[call.instance];
-        let Role::Member(_, shown) = program.variables[id].role else {
-            unreachable!("a call writes members")
-        };
+        // The words of a register are among its members and are variables of the program.
+        let shown = instance.members.iter().position(|&member| member == id);
+        let shown = shown.expect("a call writes members");
         let before: Vec<i64> = instance
             .members
             .iter()
