@@ -1,10 +1,10 @@
-// A shift register of 48 places; a part that enters at the front is seen when it leaves.
+// A shift register of 48 places: whether there is a part at the front is seen when the place leaves.
 module shift_48 (
   input  wire clk,
   input  wire rst,
   input  wire tick,
   input  wire step,
-  input  wire part,
+  input  wire gap,
   input  wire empty,
   output reg  leaves
 );
@@ -15,7 +15,7 @@ module shift_48 (
 
   always @(posedge clk) begin
     step_before <= step;
-    if (step & ~step_before) {leaves, line} <= {line, part};
+    if (step & ~step_before) {leaves, line} <= {line, ~gap};
     if (empty) {leaves, line} <= 0;
     if (rst) {leaves, line, step_before} <= 0;
   end
