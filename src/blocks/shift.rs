@@ -185,7 +185,9 @@ fn build<'a>(logic: &mut Logic, words: impl Iterator<Item = &'a &'a str>, left: 
         bit = leaves;
     }
     let out = logic.circuit.mux(rise, bit, was_out);
-    let out = logic.circuit.and([enable, out]);
+    let off = logic.circuit.bit(false);
+    // In the form of the words, whose enable and reset it shares.
+    let out = logic.circuit.choice(enable, out, off);
     logic.set("Q", out);
     logic.set("was", power);
 }

@@ -49,7 +49,7 @@ begin
   choice_3 <= REG2_before(14 downto 0) & REG1_before(15) when condition = '1' else REG2_before;
   REG2_value <= choice_3 when EN = '1' else to_unsigned(0, 16);
   choice_4 <= REG2_before(15) when condition = '1' else Q_reg;
-  Q_next <= EN and choice_4;
+  Q_next <= choice_4 when EN = '1' else '0';
 
   Q <= Q_next;
   REG0 <= REG0_value;
@@ -112,7 +112,7 @@ begin
   choice_2 <= REG1_before(0) & REG0_before(15 downto 1) when condition = '1' else REG0_before;
   REG0_value <= choice_2 when EN = '1' else to_unsigned(0, 16);
   choice_3 <= REG0_before(0) when condition = '1' else Q_reg;
-  Q_next <= EN and choice_3;
+  Q_next <= choice_3 when EN = '1' else '0';
 
   Q <= Q_next;
   REG0 <= REG0_value;

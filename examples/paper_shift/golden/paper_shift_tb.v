@@ -38,7 +38,7 @@ module paper_shift_test_SHL_48 (
   wire [15:0] choice_3 = condition ? {REG2_before[14:0], REG1_before[15]} : REG2_before;
   wire [15:0] REG2_value = EN ? choice_3 : 16'd0;
   wire choice_4 = condition ? REG2_before[15] : Q_reg;
-  wire Q_next = EN & choice_4;
+  wire Q_next = EN ? choice_4 : 1'b0;
 
   assign Q = Q_next;
   assign REG0 = REG0_value;
@@ -83,7 +83,7 @@ module paper_shift_test_SHR_32 (
   wire [15:0] choice_2 = condition ? {REG1_before[0], REG0_before[15:1]} : REG0_before;
   wire [15:0] REG0_value = EN ? choice_2 : 16'd0;
   wire choice_3 = condition ? REG0_before[0] : Q_reg;
-  wire Q_next = EN & choice_3;
+  wire Q_next = EN ? choice_3 : 1'b0;
 
   assign Q = Q_next;
   assign REG0 = REG0_value;
