@@ -85,7 +85,7 @@ fn stimulus(inputs: usize) -> Vec<Vec<u64>> {
     let mut row = vec![0; inputs];
     let mut slowness = 2;
     let mut next = |scan: usize| {
-        if scan % 1000 == 0 {
+        if scan.is_multiple_of(1000) {
             slowness = [2, 8, 40, 200][scan / 1000 % 4];
         }
         for (place, input) in row.iter_mut().enumerate() {
