@@ -102,18 +102,18 @@ module ab_boxes (
   output wire conveyor_2,
   output wire conveyor_3
 );
-  reg [15:0] pe_1_timer_ACC = 16'd100;
+  reg [15:0] pe_1_timer_ACC_reg = 16'd100;
   reg power_before = 1'b0;
   reg pull_cord_before = 1'b0;
   reg conveyor_1_reg = 1'b0;
-  reg [15:0] boxes_ACC = 16'd0;
-  reg boxes_was_up = 1'b1;
+  reg [15:0] boxes_ACC_reg = 16'd0;
+  reg boxes_was_up_reg = 1'b1;
   reg boxes_was_down = 1'b1;
   reg conveyor_3_reg = 1'b0;
   reg conveyor_2_reg = 1'b0;
 
   // rung 1 "PE_1_Timer: a box moves on for a second after the eye", ab_boxes.ladder:14
-  wire [15:0] pe_1_timer_ACC_2;
+  wire [15:0] pe_1_timer_ACC;
   wire pe_1_timer_TT;
   wire pe_1_timer_DN;
   ab_boxes_AB_TOF_BASE1_PRE100 pe_1_timer (
@@ -121,8 +121,8 @@ module ab_boxes (
     .rst(rst),
     .tick(tick),
     .power(eye_1),
-    .ACC_before(pe_1_timer_ACC),
-    .ACC(pe_1_timer_ACC_2),
+    .ACC_before(pe_1_timer_ACC_reg),
+    .ACC(pe_1_timer_ACC),
     .TT(pe_1_timer_TT),
     .DN(pe_1_timer_DN)
   );
@@ -134,14 +134,14 @@ module ab_boxes (
   wire conveyor_1_next = (pull_cord & ~pull_cord_before | conveyor_1_reg) & ~pe_1_left;
 
   // rung 4 "boxes on conveyor 2: up at one eye", ab_boxes.ladder:23
-  wire [15:0] boxes_ACC_2;
-  wire boxes_was_up_2;
+  wire [15:0] boxes_ACC;
+  wire boxes_was_up;
   ab_boxes_AB_CTU boxes (
     .power(eye_1),
-    .ACC_before(boxes_ACC),
-    .was_up_before(boxes_was_up),
-    .ACC(boxes_ACC_2),
-    .was_up(boxes_was_up_2)
+    .ACC_before(boxes_ACC_reg),
+    .was_up_before(boxes_was_up_reg),
+    .ACC(boxes_ACC),
+    .was_up(boxes_was_up)
   );
 
   // rung 5 "down at the other, on the same counter", ab_boxes.ladder:26
@@ -150,7 +150,7 @@ module ab_boxes (
   wire boxes_AB_CTD_was_down;
   ab_boxes_AB_CTD_PRE4 boxes_AB_CTD (
     .power(eye_2),
-    .ACC_before(boxes_ACC_2),
+    .ACC_before(boxes_ACC),
     .was_down_before(boxes_was_down),
     .ACC(boxes_AB_CTD_ACC),
     .DN(boxes_AB_CTD_DN),
@@ -166,7 +166,7 @@ module ab_boxes (
 
   // rung 8, ab_boxes.ladder:35
   wire [15:0] boxes_ACC_next = emptied ? 16'd0 : boxes_AB_CTD_ACC;
-  wire boxes_was_up_next = ~emptied & boxes_was_up_2;
+  wire boxes_was_up_next = ~emptied & boxes_was_up;
   wire boxes_was_down_next = ~emptied & boxes_AB_CTD_was_down;
   wire conveyor_3_next = unloading_rung7 & ~emptied;
 
@@ -181,22 +181,22 @@ module ab_boxes (
 
   always @(posedge clk) begin
     if (rst) begin
-      pe_1_timer_ACC <= 16'd100;
+      pe_1_timer_ACC_reg <= 16'd100;
       power_before <= 1'b0;
       pull_cord_before <= 1'b0;
       conveyor_1_reg <= 1'b0;
-      boxes_ACC <= 16'd0;
-      boxes_was_up <= 1'b1;
+      boxes_ACC_reg <= 16'd0;
+      boxes_was_up_reg <= 1'b1;
       boxes_was_down <= 1'b1;
       conveyor_3_reg <= 1'b0;
       conveyor_2_reg <= 1'b0;
     end else begin
-      pe_1_timer_ACC <= pe_1_timer_ACC_2;
+      pe_1_timer_ACC_reg <= pe_1_timer_ACC;
       power_before <= pe_1_timer_TT;
       pull_cord_before <= pull_cord;
       conveyor_1_reg <= conveyor_1_next;
-      boxes_ACC <= boxes_ACC_next;
-      boxes_was_up <= boxes_was_up_next;
+      boxes_ACC_reg <= boxes_ACC_next;
+      boxes_was_up_reg <= boxes_was_up_next;
       boxes_was_down <= boxes_was_down_next;
       conveyor_3_reg <= conveyor_3_next;
       conveyor_2_reg <= conveyor_2_next;

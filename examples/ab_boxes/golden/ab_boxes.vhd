@@ -143,22 +143,22 @@ entity ab_boxes is
 end entity ab_boxes;
 
 architecture rtl of ab_boxes is
-  signal pe_1_timer_ACC : unsigned(15 downto 0) := to_unsigned(100, 16);
+  signal pe_1_timer_ACC_reg : unsigned(15 downto 0) := to_unsigned(100, 16);
   signal power_before : std_logic := '0';
   signal pull_cord_before : std_logic := '0';
   signal conveyor_1_reg : std_logic := '0';
-  signal boxes_ACC : unsigned(15 downto 0) := (others => '0');
-  signal boxes_was_up : std_logic := '1';
+  signal boxes_ACC_reg : unsigned(15 downto 0) := (others => '0');
+  signal boxes_was_up_reg : std_logic := '1';
   signal boxes_was_down : std_logic := '1';
   signal conveyor_3_reg : std_logic := '0';
   signal conveyor_2_reg : std_logic := '0';
-  signal pe_1_timer_ACC_2 : unsigned(15 downto 0);
+  signal pe_1_timer_ACC : unsigned(15 downto 0);
   signal pe_1_timer_TT : std_logic;
   signal pe_1_timer_DN : std_logic;
   signal pe_1_left : std_logic;
   signal conveyor_1_next : std_logic;
-  signal boxes_ACC_2 : unsigned(15 downto 0);
-  signal boxes_was_up_2 : std_logic;
+  signal boxes_ACC : unsigned(15 downto 0);
+  signal boxes_was_up : std_logic;
   signal boxes_AB_CTD_ACC : unsigned(15 downto 0);
   signal boxes_AB_CTD_DN : std_logic;
   signal boxes_AB_CTD_was_down : std_logic;
@@ -179,8 +179,8 @@ begin
       rst => rst,
       tick => tick,
       power => eye_1,
-      ACC_before => pe_1_timer_ACC,
-      ACC => pe_1_timer_ACC_2,
+      ACC_before => pe_1_timer_ACC_reg,
+      ACC => pe_1_timer_ACC,
       TT => pe_1_timer_TT,
       DN => pe_1_timer_DN
     );
@@ -195,17 +195,17 @@ begin
   boxes: entity work.ab_boxes_AB_CTU
     port map (
       power => eye_1,
-      ACC_before => boxes_ACC,
-      was_up_before => boxes_was_up,
-      ACC => boxes_ACC_2,
-      was_up => boxes_was_up_2
+      ACC_before => boxes_ACC_reg,
+      was_up_before => boxes_was_up_reg,
+      ACC => boxes_ACC,
+      was_up => boxes_was_up
     );
 
   -- rung 5 "down at the other, on the same counter", ab_boxes.ladder:26
   boxes_AB_CTD: entity work.ab_boxes_AB_CTD_PRE4
     port map (
       power => eye_2,
-      ACC_before => boxes_ACC_2,
+      ACC_before => boxes_ACC,
       was_down_before => boxes_was_down,
       ACC => boxes_AB_CTD_ACC,
       DN => boxes_AB_CTD_DN,
@@ -221,7 +221,7 @@ begin
 
   -- rung 8, ab_boxes.ladder:35
   boxes_ACC_next <= to_unsigned(0, 16) when emptied = '1' else boxes_AB_CTD_ACC;
-  boxes_was_up_next <= not emptied and boxes_was_up_2;
+  boxes_was_up_next <= not emptied and boxes_was_up;
   boxes_was_down_next <= not emptied and boxes_AB_CTD_was_down;
   conveyor_3_next <= unloading_rung7 and not emptied;
 
@@ -238,22 +238,22 @@ begin
   begin
     if rising_edge(clk) then
       if rst = '1' then
-        pe_1_timer_ACC <= to_unsigned(100, 16);
+        pe_1_timer_ACC_reg <= to_unsigned(100, 16);
         power_before <= '0';
         pull_cord_before <= '0';
         conveyor_1_reg <= '0';
-        boxes_ACC <= (others => '0');
-        boxes_was_up <= '1';
+        boxes_ACC_reg <= (others => '0');
+        boxes_was_up_reg <= '1';
         boxes_was_down <= '1';
         conveyor_3_reg <= '0';
         conveyor_2_reg <= '0';
       else
-        pe_1_timer_ACC <= pe_1_timer_ACC_2;
+        pe_1_timer_ACC_reg <= pe_1_timer_ACC;
         power_before <= pe_1_timer_TT;
         pull_cord_before <= pull_cord;
         conveyor_1_reg <= conveyor_1_next;
-        boxes_ACC <= boxes_ACC_next;
-        boxes_was_up <= boxes_was_up_next;
+        boxes_ACC_reg <= boxes_ACC_next;
+        boxes_was_up_reg <= boxes_was_up_next;
         boxes_was_down <= boxes_was_down_next;
         conveyor_3_reg <= conveyor_3_next;
         conveyor_2_reg <= conveyor_2_next;

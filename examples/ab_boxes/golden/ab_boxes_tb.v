@@ -112,14 +112,14 @@ module ab_boxes_test (
   output wire        boxes_CU,
   output wire        boxes_CD
 );
-  reg [15:0] pe_1_timer_ACC = 16'd100;
+  reg [15:0] pe_1_timer_ACC_reg = 16'd100;
   reg power_before = 1'b0;
   reg pull_cord_before = 1'b0;
   reg conveyor_1_reg = 1'b0;
   reg [15:0] boxes_ACC_reg = 16'd0;
   reg boxes_CU_reg = 1'b0;
   reg boxes_DN_reg = 1'b0;
-  reg boxes_was_up = 1'b1;
+  reg boxes_was_up_reg = 1'b1;
   reg boxes_CD_reg = 1'b0;
   reg boxes_was_down = 1'b1;
   reg unloading_reg = 1'b0;
@@ -127,7 +127,7 @@ module ab_boxes_test (
   reg conveyor_3_reg = 1'b0;
 
   // rung 1 "PE_1_Timer: a box moves on for a second after the eye", ab_boxes.ladder:14
-  wire [15:0] pe_1_timer_ACC_2;
+  wire [15:0] pe_1_timer_ACC;
   wire pe_1_timer_TT;
   wire pe_1_timer_DN;
   ab_boxes_test_AB_TOF_BASE1_PRE100 pe_1_timer (
@@ -135,8 +135,8 @@ module ab_boxes_test (
     .rst(rst),
     .tick(tick),
     .power(eye_1),
-    .ACC_before(pe_1_timer_ACC),
-    .ACC(pe_1_timer_ACC_2),
+    .ACC_before(pe_1_timer_ACC_reg),
+    .ACC(pe_1_timer_ACC),
     .TT(pe_1_timer_TT),
     .DN(pe_1_timer_DN)
   );
@@ -150,14 +150,14 @@ module ab_boxes_test (
   // rung 4 "boxes on conveyor 2: up at one eye", ab_boxes.ladder:23
   wire [15:0] boxes_ACC_2;
   wire boxes_CU_2;
-  wire boxes_was_up_2;
+  wire boxes_was_up;
   ab_boxes_test_AB_CTU boxes (
     .power(eye_1),
     .ACC_before(boxes_ACC_reg),
-    .was_up_before(boxes_was_up),
+    .was_up_before(boxes_was_up_reg),
     .ACC(boxes_ACC_2),
     .CU(boxes_CU_2),
-    .was_up(boxes_was_up_2)
+    .was_up(boxes_was_up)
   );
 
   // rung 5 "down at the other, on the same counter", ab_boxes.ladder:26
@@ -187,7 +187,7 @@ module ab_boxes_test (
   wire boxes_CU_next = ~emptied & boxes_CU_2;
   wire boxes_CD_next = ~emptied & boxes_AB_CTD_CD;
   wire boxes_DN_next = ~emptied & boxes_AB_CTD_DN;
-  wire boxes_was_up_next = ~emptied & boxes_was_up_2;
+  wire boxes_was_up_next = ~emptied & boxes_was_up;
   wire boxes_was_down_next = ~emptied & boxes_AB_CTD_was_down;
   wire unloading_next = unloading_rung7 & ~emptied;
 
@@ -208,28 +208,28 @@ module ab_boxes_test (
 
   always @(posedge clk) begin
     if (rst) begin
-      pe_1_timer_ACC <= 16'd100;
+      pe_1_timer_ACC_reg <= 16'd100;
       power_before <= 1'b0;
       pull_cord_before <= 1'b0;
       conveyor_1_reg <= 1'b0;
       boxes_ACC_reg <= 16'd0;
       boxes_CU_reg <= 1'b0;
       boxes_DN_reg <= 1'b0;
-      boxes_was_up <= 1'b1;
+      boxes_was_up_reg <= 1'b1;
       boxes_CD_reg <= 1'b0;
       boxes_was_down <= 1'b1;
       unloading_reg <= 1'b0;
       conveyor_2_reg <= 1'b0;
       conveyor_3_reg <= 1'b0;
     end else begin
-      pe_1_timer_ACC <= pe_1_timer_ACC_2;
+      pe_1_timer_ACC_reg <= pe_1_timer_ACC;
       power_before <= pe_1_timer_TT;
       pull_cord_before <= pull_cord;
       conveyor_1_reg <= conveyor_1_next;
       boxes_ACC_reg <= boxes_ACC_next;
       boxes_CU_reg <= boxes_CU_next;
       boxes_DN_reg <= boxes_DN_next;
-      boxes_was_up <= boxes_was_up_next;
+      boxes_was_up_reg <= boxes_was_up_next;
       boxes_CD_reg <= boxes_CD_next;
       boxes_was_down <= boxes_was_down_next;
       unloading_reg <= unloading_next;

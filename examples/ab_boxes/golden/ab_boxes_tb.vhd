@@ -155,27 +155,27 @@ entity ab_boxes_test is
 end entity ab_boxes_test;
 
 architecture rtl of ab_boxes_test is
-  signal pe_1_timer_ACC : unsigned(15 downto 0) := to_unsigned(100, 16);
+  signal pe_1_timer_ACC_reg : unsigned(15 downto 0) := to_unsigned(100, 16);
   signal power_before : std_logic := '0';
   signal pull_cord_before : std_logic := '0';
   signal conveyor_1_reg : std_logic := '0';
   signal boxes_ACC_reg : unsigned(15 downto 0) := (others => '0');
   signal boxes_CU_reg : std_logic := '0';
   signal boxes_DN_reg : std_logic := '0';
-  signal boxes_was_up : std_logic := '1';
+  signal boxes_was_up_reg : std_logic := '1';
   signal boxes_CD_reg : std_logic := '0';
   signal boxes_was_down : std_logic := '1';
   signal unloading_reg : std_logic := '0';
   signal conveyor_2_reg : std_logic := '0';
   signal conveyor_3_reg : std_logic := '0';
-  signal pe_1_timer_ACC_2 : unsigned(15 downto 0);
+  signal pe_1_timer_ACC : unsigned(15 downto 0);
   signal pe_1_timer_TT : std_logic;
   signal pe_1_timer_DN : std_logic;
   signal pe_1_left : std_logic;
   signal conveyor_1_next : std_logic;
   signal boxes_ACC_2 : unsigned(15 downto 0);
   signal boxes_CU_2 : std_logic;
-  signal boxes_was_up_2 : std_logic;
+  signal boxes_was_up : std_logic;
   signal boxes_AB_CTD_ACC : unsigned(15 downto 0);
   signal boxes_AB_CTD_CD : std_logic;
   signal boxes_AB_CTD_DN : std_logic;
@@ -201,8 +201,8 @@ begin
       rst => rst,
       tick => tick,
       power => eye_1,
-      ACC_before => pe_1_timer_ACC,
-      ACC => pe_1_timer_ACC_2,
+      ACC_before => pe_1_timer_ACC_reg,
+      ACC => pe_1_timer_ACC,
       TT => pe_1_timer_TT,
       DN => pe_1_timer_DN
     );
@@ -218,10 +218,10 @@ begin
     port map (
       power => eye_1,
       ACC_before => boxes_ACC_reg,
-      was_up_before => boxes_was_up,
+      was_up_before => boxes_was_up_reg,
       ACC => boxes_ACC_2,
       CU => boxes_CU_2,
-      was_up => boxes_was_up_2
+      was_up => boxes_was_up
     );
 
   -- rung 5 "down at the other, on the same counter", ab_boxes.ladder:26
@@ -248,7 +248,7 @@ begin
   boxes_CU_next <= not emptied and boxes_CU_2;
   boxes_CD_next <= not emptied and boxes_AB_CTD_CD;
   boxes_DN_next <= not emptied and boxes_AB_CTD_DN;
-  boxes_was_up_next <= not emptied and boxes_was_up_2;
+  boxes_was_up_next <= not emptied and boxes_was_up;
   boxes_was_down_next <= not emptied and boxes_AB_CTD_was_down;
   unloading_next <= unloading_rung7 and not emptied;
 
@@ -271,28 +271,28 @@ begin
   begin
     if rising_edge(clk) then
       if rst = '1' then
-        pe_1_timer_ACC <= to_unsigned(100, 16);
+        pe_1_timer_ACC_reg <= to_unsigned(100, 16);
         power_before <= '0';
         pull_cord_before <= '0';
         conveyor_1_reg <= '0';
         boxes_ACC_reg <= (others => '0');
         boxes_CU_reg <= '0';
         boxes_DN_reg <= '0';
-        boxes_was_up <= '1';
+        boxes_was_up_reg <= '1';
         boxes_CD_reg <= '0';
         boxes_was_down <= '1';
         unloading_reg <= '0';
         conveyor_2_reg <= '0';
         conveyor_3_reg <= '0';
       else
-        pe_1_timer_ACC <= pe_1_timer_ACC_2;
+        pe_1_timer_ACC_reg <= pe_1_timer_ACC;
         power_before <= pe_1_timer_TT;
         pull_cord_before <= pull_cord;
         conveyor_1_reg <= conveyor_1_next;
         boxes_ACC_reg <= boxes_ACC_next;
         boxes_CU_reg <= boxes_CU_next;
         boxes_DN_reg <= boxes_DN_next;
-        boxes_was_up <= boxes_was_up_next;
+        boxes_was_up_reg <= boxes_was_up_next;
         boxes_CD_reg <= boxes_CD_next;
         boxes_was_down <= boxes_was_down_next;
         unloading_reg <= unloading_next;

@@ -176,84 +176,84 @@ module ab_counters (
   output wire siemens_down_done,
   output wire overflow
 );
-  reg [15:0] c5_0_ACC = 16'd0;
-  reg c5_0_was_up = 1'b1;
-  reg [15:0] c5_1_ACC = 16'd50;
-  reg c5_1_was_down = 1'b1;
-  reg [15:0] c5_2_ACC = 16'd0;
+  reg [15:0] c5_0_ACC_reg = 16'd0;
+  reg c5_0_was_up_reg = 1'b1;
+  reg [15:0] c5_1_ACC_reg = 16'd50;
+  reg c5_1_was_down_reg = 1'b1;
+  reg [15:0] c5_2_ACC_reg = 16'd0;
   reg overflow_reg = 1'b0;
-  reg c5_2_UN = 1'b0;
-  reg c5_2_was_up = 1'b1;
+  reg c5_2_UN_reg = 1'b0;
+  reg c5_2_was_up_reg = 1'b1;
   reg up_done_reg = 1'b0;
   reg down_done_reg = 1'b0;
   reg siemens_up_done_reg = 1'b0;
   reg siemens_down_done_reg = 1'b0;
 
   // rung 1 "C5:0 up to 99", ab_counters.ladder:12
-  wire [15:0] c5_0_ACC_2;
+  wire [15:0] c5_0_ACC;
   wire c5_0_DN;
-  wire c5_0_was_up_2;
+  wire c5_0_was_up;
   ab_counters_AB_CTU_PRE99 c5_0 (
     .power(count_up),
-    .ACC_before(c5_0_ACC),
-    .was_up_before(c5_0_was_up),
-    .ACC(c5_0_ACC_2),
+    .ACC_before(c5_0_ACC_reg),
+    .was_up_before(c5_0_was_up_reg),
+    .ACC(c5_0_ACC),
     .DN(c5_0_DN),
-    .was_up(c5_0_was_up_2)
+    .was_up(c5_0_was_up)
   );
 
   // rung 2, ab_counters.ladder:15
   wire up_done_next = c5_0_DN;
 
   // rung 3, ab_counters.ladder:17
-  wire [15:0] c5_0_ACC_next = reset_up ? 16'd0 : c5_0_ACC_2;
-  wire c5_0_was_up_next = ~reset_up & c5_0_was_up_2;
+  wire [15:0] c5_0_ACC_next = reset_up ? 16'd0 : c5_0_ACC;
+  wire c5_0_was_up_next = ~reset_up & c5_0_was_up;
 
   // rung 4 "C5:1 down from 50: DN while 1 or more are left", ab_counters.ladder:19
-  wire [15:0] c5_1_ACC_2;
+  wire [15:0] c5_1_ACC;
   wire c5_1_DN;
-  wire c5_1_was_down_2;
+  wire c5_1_was_down;
   ab_counters_AB_CTD_PRE1 c5_1 (
     .power(count_down),
-    .ACC_before(c5_1_ACC),
-    .was_down_before(c5_1_was_down),
-    .ACC(c5_1_ACC_2),
+    .ACC_before(c5_1_ACC_reg),
+    .was_down_before(c5_1_was_down_reg),
+    .ACC(c5_1_ACC),
     .DN(c5_1_DN),
-    .was_down(c5_1_was_down_2)
+    .was_down(c5_1_was_down)
   );
 
   // rung 5 "so nothing is left when it is off", ab_counters.ladder:22
   wire down_done_next = ~c5_1_DN;
 
   // rung 6, ab_counters.ladder:25
-  wire [15:0] c5_1_ACC_next = reset_down ? 16'd0 : c5_1_ACC_2;
-  wire c5_1_was_down_next = ~reset_down & c5_1_was_down_2;
+  wire [15:0] c5_1_ACC_next = reset_down ? 16'd0 : c5_1_ACC;
+  wire c5_1_was_down_next = ~reset_down & c5_1_was_down;
 
   // rung 7 "C5:2 for the end of the range; CTU stops at 32767", ab_counters.ladder:27
-  wire [15:0] c5_2_ACC_2;
+  wire [15:0] c5_2_ACC;
   wire c5_2_OV;
-  wire c5_2_UN_2;
-  wire c5_2_was_up_2;
+  wire c5_2_UN;
+  wire c5_2_was_up;
   ab_counters_AB_CTU c5_2 (
     .power(count_up),
-    .ACC_before(c5_2_ACC),
+    .ACC_before(c5_2_ACC_reg),
     .OV_before(overflow_reg),
-    .UN_before(c5_2_UN),
-    .was_up_before(c5_2_was_up),
-    .ACC(c5_2_ACC_2),
+    .UN_before(c5_2_UN_reg),
+    .was_up_before(c5_2_was_up_reg),
+    .ACC(c5_2_ACC),
     .OV(c5_2_OV),
-    .UN(c5_2_UN_2),
-    .was_up(c5_2_was_up_2)
+    .UN(c5_2_UN),
+    .was_up(c5_2_was_up)
   );
 
   // rung 8, ab_counters.ladder:30
-  wire [15:0] c5_2_ACC_rung8 = to_the_end ? 16'd32766 : c5_2_ACC_2;
+  wire [15:0] c5_2_ACC_rung8 = to_the_end ? 16'd32766 : c5_2_ACC;
 
   // rung 9, ab_counters.ladder:32
   wire [15:0] c5_2_ACC_next = reset_up ? 16'd0 : c5_2_ACC_rung8;
   wire overflow_next = ~reset_up & c5_2_OV;
-  wire c5_2_UN_next = ~reset_up & c5_2_UN_2;
-  wire c5_2_was_up_next = ~reset_up & c5_2_was_up_2;
+  wire c5_2_UN_next = ~reset_up & c5_2_UN;
+  wire c5_2_was_up_next = ~reset_up & c5_2_was_up;
 
   // rung 10, ab_counters.ladder:34
 
@@ -287,27 +287,27 @@ module ab_counters (
 
   always @(posedge clk) begin
     if (rst) begin
-      c5_0_ACC <= 16'd0;
-      c5_0_was_up <= 1'b1;
-      c5_1_ACC <= 16'd50;
-      c5_1_was_down <= 1'b1;
-      c5_2_ACC <= 16'd0;
+      c5_0_ACC_reg <= 16'd0;
+      c5_0_was_up_reg <= 1'b1;
+      c5_1_ACC_reg <= 16'd50;
+      c5_1_was_down_reg <= 1'b1;
+      c5_2_ACC_reg <= 16'd0;
       overflow_reg <= 1'b0;
-      c5_2_UN <= 1'b0;
-      c5_2_was_up <= 1'b1;
+      c5_2_UN_reg <= 1'b0;
+      c5_2_was_up_reg <= 1'b1;
       up_done_reg <= 1'b0;
       down_done_reg <= 1'b0;
       siemens_up_done_reg <= 1'b0;
       siemens_down_done_reg <= 1'b0;
     end else begin
-      c5_0_ACC <= c5_0_ACC_next;
-      c5_0_was_up <= c5_0_was_up_next;
-      c5_1_ACC <= c5_1_ACC_next;
-      c5_1_was_down <= c5_1_was_down_next;
-      c5_2_ACC <= c5_2_ACC_next;
+      c5_0_ACC_reg <= c5_0_ACC_next;
+      c5_0_was_up_reg <= c5_0_was_up_next;
+      c5_1_ACC_reg <= c5_1_ACC_next;
+      c5_1_was_down_reg <= c5_1_was_down_next;
+      c5_2_ACC_reg <= c5_2_ACC_next;
       overflow_reg <= overflow_next;
-      c5_2_UN <= c5_2_UN_next;
-      c5_2_was_up <= c5_2_was_up_next;
+      c5_2_UN_reg <= c5_2_UN_next;
+      c5_2_was_up_reg <= c5_2_was_up_next;
       up_done_reg <= up_done_next;
       down_done_reg <= down_done_next;
       siemens_up_done_reg <= siemens_up_done_next;

@@ -248,34 +248,34 @@ entity ab_counters is
 end entity ab_counters;
 
 architecture rtl of ab_counters is
-  signal c5_0_ACC : unsigned(15 downto 0) := (others => '0');
-  signal c5_0_was_up : std_logic := '1';
-  signal c5_1_ACC : unsigned(15 downto 0) := to_unsigned(50, 16);
-  signal c5_1_was_down : std_logic := '1';
-  signal c5_2_ACC : unsigned(15 downto 0) := (others => '0');
+  signal c5_0_ACC_reg : unsigned(15 downto 0) := (others => '0');
+  signal c5_0_was_up_reg : std_logic := '1';
+  signal c5_1_ACC_reg : unsigned(15 downto 0) := to_unsigned(50, 16);
+  signal c5_1_was_down_reg : std_logic := '1';
+  signal c5_2_ACC_reg : unsigned(15 downto 0) := (others => '0');
   signal overflow_reg : std_logic := '0';
-  signal c5_2_UN : std_logic := '0';
-  signal c5_2_was_up : std_logic := '1';
+  signal c5_2_UN_reg : std_logic := '0';
+  signal c5_2_was_up_reg : std_logic := '1';
   signal up_done_reg : std_logic := '0';
   signal down_done_reg : std_logic := '0';
   signal siemens_up_done_reg : std_logic := '0';
   signal siemens_down_done_reg : std_logic := '0';
-  signal c5_0_ACC_2 : unsigned(15 downto 0);
+  signal c5_0_ACC : unsigned(15 downto 0);
   signal c5_0_DN : std_logic;
-  signal c5_0_was_up_2 : std_logic;
+  signal c5_0_was_up : std_logic;
   signal up_done_next : std_logic;
   signal c5_0_ACC_next : unsigned(15 downto 0);
   signal c5_0_was_up_next : std_logic;
-  signal c5_1_ACC_2 : unsigned(15 downto 0);
+  signal c5_1_ACC : unsigned(15 downto 0);
   signal c5_1_DN : std_logic;
-  signal c5_1_was_down_2 : std_logic;
+  signal c5_1_was_down : std_logic;
   signal down_done_next : std_logic;
   signal c5_1_ACC_next : unsigned(15 downto 0);
   signal c5_1_was_down_next : std_logic;
-  signal c5_2_ACC_2 : unsigned(15 downto 0);
+  signal c5_2_ACC : unsigned(15 downto 0);
   signal c5_2_OV : std_logic;
-  signal c5_2_UN_2 : std_logic;
-  signal c5_2_was_up_2 : std_logic;
+  signal c5_2_UN : std_logic;
+  signal c5_2_was_up : std_logic;
   signal c5_2_ACC_rung8 : unsigned(15 downto 0);
   signal c5_2_ACC_next : unsigned(15 downto 0);
   signal overflow_next : std_logic;
@@ -291,60 +291,60 @@ begin
   c5_0: entity work.ab_counters_AB_CTU_PRE99
     port map (
       power => count_up,
-      ACC_before => c5_0_ACC,
-      was_up_before => c5_0_was_up,
-      ACC => c5_0_ACC_2,
+      ACC_before => c5_0_ACC_reg,
+      was_up_before => c5_0_was_up_reg,
+      ACC => c5_0_ACC,
       DN => c5_0_DN,
-      was_up => c5_0_was_up_2
+      was_up => c5_0_was_up
     );
 
   -- rung 2, ab_counters.ladder:15
   up_done_next <= c5_0_DN;
 
   -- rung 3, ab_counters.ladder:17
-  c5_0_ACC_next <= to_unsigned(0, 16) when reset_up = '1' else c5_0_ACC_2;
-  c5_0_was_up_next <= not reset_up and c5_0_was_up_2;
+  c5_0_ACC_next <= to_unsigned(0, 16) when reset_up = '1' else c5_0_ACC;
+  c5_0_was_up_next <= not reset_up and c5_0_was_up;
 
   -- rung 4 "C5:1 down from 50: DN while 1 or more are left", ab_counters.ladder:19
   c5_1: entity work.ab_counters_AB_CTD_PRE1
     port map (
       power => count_down,
-      ACC_before => c5_1_ACC,
-      was_down_before => c5_1_was_down,
-      ACC => c5_1_ACC_2,
+      ACC_before => c5_1_ACC_reg,
+      was_down_before => c5_1_was_down_reg,
+      ACC => c5_1_ACC,
       DN => c5_1_DN,
-      was_down => c5_1_was_down_2
+      was_down => c5_1_was_down
     );
 
   -- rung 5 "so nothing is left when it is off", ab_counters.ladder:22
   down_done_next <= not c5_1_DN;
 
   -- rung 6, ab_counters.ladder:25
-  c5_1_ACC_next <= to_unsigned(0, 16) when reset_down = '1' else c5_1_ACC_2;
-  c5_1_was_down_next <= not reset_down and c5_1_was_down_2;
+  c5_1_ACC_next <= to_unsigned(0, 16) when reset_down = '1' else c5_1_ACC;
+  c5_1_was_down_next <= not reset_down and c5_1_was_down;
 
   -- rung 7 "C5:2 for the end of the range; CTU stops at 32767", ab_counters.ladder:27
   c5_2: entity work.ab_counters_AB_CTU
     port map (
       power => count_up,
-      ACC_before => c5_2_ACC,
+      ACC_before => c5_2_ACC_reg,
       OV_before => overflow_reg,
-      UN_before => c5_2_UN,
-      was_up_before => c5_2_was_up,
-      ACC => c5_2_ACC_2,
+      UN_before => c5_2_UN_reg,
+      was_up_before => c5_2_was_up_reg,
+      ACC => c5_2_ACC,
       OV => c5_2_OV,
-      UN => c5_2_UN_2,
-      was_up => c5_2_was_up_2
+      UN => c5_2_UN,
+      was_up => c5_2_was_up
     );
 
   -- rung 8, ab_counters.ladder:30
-  c5_2_ACC_rung8 <= to_unsigned(32766, 16) when to_the_end = '1' else c5_2_ACC_2;
+  c5_2_ACC_rung8 <= to_unsigned(32766, 16) when to_the_end = '1' else c5_2_ACC;
 
   -- rung 9, ab_counters.ladder:32
   c5_2_ACC_next <= to_unsigned(0, 16) when reset_up = '1' else c5_2_ACC_rung8;
   overflow_next <= not reset_up and c5_2_OV;
-  c5_2_UN_next <= not reset_up and c5_2_UN_2;
-  c5_2_was_up_next <= not reset_up and c5_2_was_up_2;
+  c5_2_UN_next <= not reset_up and c5_2_UN;
+  c5_2_was_up_next <= not reset_up and c5_2_was_up;
 
   -- rung 10, ab_counters.ladder:34
 
@@ -380,27 +380,27 @@ begin
   begin
     if rising_edge(clk) then
       if rst = '1' then
-        c5_0_ACC <= (others => '0');
-        c5_0_was_up <= '1';
-        c5_1_ACC <= to_unsigned(50, 16);
-        c5_1_was_down <= '1';
-        c5_2_ACC <= (others => '0');
+        c5_0_ACC_reg <= (others => '0');
+        c5_0_was_up_reg <= '1';
+        c5_1_ACC_reg <= to_unsigned(50, 16);
+        c5_1_was_down_reg <= '1';
+        c5_2_ACC_reg <= (others => '0');
         overflow_reg <= '0';
-        c5_2_UN <= '0';
-        c5_2_was_up <= '1';
+        c5_2_UN_reg <= '0';
+        c5_2_was_up_reg <= '1';
         up_done_reg <= '0';
         down_done_reg <= '0';
         siemens_up_done_reg <= '0';
         siemens_down_done_reg <= '0';
       else
-        c5_0_ACC <= c5_0_ACC_next;
-        c5_0_was_up <= c5_0_was_up_next;
-        c5_1_ACC <= c5_1_ACC_next;
-        c5_1_was_down <= c5_1_was_down_next;
-        c5_2_ACC <= c5_2_ACC_next;
+        c5_0_ACC_reg <= c5_0_ACC_next;
+        c5_0_was_up_reg <= c5_0_was_up_next;
+        c5_1_ACC_reg <= c5_1_ACC_next;
+        c5_1_was_down_reg <= c5_1_was_down_next;
+        c5_2_ACC_reg <= c5_2_ACC_next;
         overflow_reg <= overflow_next;
-        c5_2_UN <= c5_2_UN_next;
-        c5_2_was_up <= c5_2_was_up_next;
+        c5_2_UN_reg <= c5_2_UN_next;
+        c5_2_was_up_reg <= c5_2_was_up_next;
         up_done_reg <= up_done_next;
         down_done_reg <= down_done_next;
         siemens_up_done_reg <= siemens_up_done_next;

@@ -178,14 +178,14 @@ module ab_counters_test (
   output wire        c5_2_OV
 );
   reg [15:0] c5_0_ACC_reg = 16'd0;
-  reg c5_0_was_up = 1'b1;
+  reg c5_0_was_up_reg = 1'b1;
   reg [15:0] c5_1_ACC_reg = 16'd50;
-  reg c5_1_was_down = 1'b1;
+  reg c5_1_was_down_reg = 1'b1;
   reg [15:0] c5_2_ACC_reg = 16'd0;
   reg c5_2_DN_reg = 1'b0;
   reg c5_2_OV_reg = 1'b0;
-  reg c5_2_UN = 1'b0;
-  reg c5_2_was_up = 1'b1;
+  reg c5_2_UN_reg = 1'b0;
+  reg c5_2_was_up_reg = 1'b1;
   reg up_done_reg = 1'b0;
   reg down_done_reg = 1'b0;
   reg siemens_up_done_reg = 1'b0;
@@ -195,14 +195,14 @@ module ab_counters_test (
   // rung 1 "C5:0 up to 99", ab_counters.ladder:12
   wire [15:0] c5_0_ACC_2;
   wire c5_0_DN;
-  wire c5_0_was_up_2;
+  wire c5_0_was_up;
   ab_counters_test_AB_CTU_PRE99 c5_0 (
     .power(count_up),
     .ACC_before(c5_0_ACC_reg),
-    .was_up_before(c5_0_was_up),
+    .was_up_before(c5_0_was_up_reg),
     .ACC(c5_0_ACC_2),
     .DN(c5_0_DN),
-    .was_up(c5_0_was_up_2)
+    .was_up(c5_0_was_up)
   );
 
   // rung 2, ab_counters.ladder:15
@@ -210,19 +210,19 @@ module ab_counters_test (
 
   // rung 3, ab_counters.ladder:17
   wire [15:0] c5_0_ACC_next = reset_up ? 16'd0 : c5_0_ACC_2;
-  wire c5_0_was_up_next = ~reset_up & c5_0_was_up_2;
+  wire c5_0_was_up_next = ~reset_up & c5_0_was_up;
 
   // rung 4 "C5:1 down from 50: DN while 1 or more are left", ab_counters.ladder:19
   wire [15:0] c5_1_ACC_2;
   wire c5_1_DN;
-  wire c5_1_was_down_2;
+  wire c5_1_was_down;
   ab_counters_test_AB_CTD_PRE1 c5_1 (
     .power(count_down),
     .ACC_before(c5_1_ACC_reg),
-    .was_down_before(c5_1_was_down),
+    .was_down_before(c5_1_was_down_reg),
     .ACC(c5_1_ACC_2),
     .DN(c5_1_DN),
-    .was_down(c5_1_was_down_2)
+    .was_down(c5_1_was_down)
   );
 
   // rung 5 "so nothing is left when it is off", ab_counters.ladder:22
@@ -230,25 +230,25 @@ module ab_counters_test (
 
   // rung 6, ab_counters.ladder:25
   wire [15:0] c5_1_ACC_next = reset_down ? 16'd0 : c5_1_ACC_2;
-  wire c5_1_was_down_next = ~reset_down & c5_1_was_down_2;
+  wire c5_1_was_down_next = ~reset_down & c5_1_was_down;
 
   // rung 7 "C5:2 for the end of the range; CTU stops at 32767", ab_counters.ladder:27
   wire [15:0] c5_2_ACC_2;
   wire c5_2_DN_2;
   wire c5_2_OV_2;
-  wire c5_2_UN_2;
-  wire c5_2_was_up_2;
+  wire c5_2_UN;
+  wire c5_2_was_up;
   ab_counters_test_AB_CTU_PRE99_2 c5_2 (
     .power(count_up),
     .ACC_before(c5_2_ACC_reg),
     .OV_before(c5_2_OV_reg),
-    .UN_before(c5_2_UN),
-    .was_up_before(c5_2_was_up),
+    .UN_before(c5_2_UN_reg),
+    .was_up_before(c5_2_was_up_reg),
     .ACC(c5_2_ACC_2),
     .DN(c5_2_DN_2),
     .OV(c5_2_OV_2),
-    .UN(c5_2_UN_2),
-    .was_up(c5_2_was_up_2)
+    .UN(c5_2_UN),
+    .was_up(c5_2_was_up)
   );
 
   // rung 8, ab_counters.ladder:30
@@ -258,8 +258,8 @@ module ab_counters_test (
   wire [15:0] c5_2_ACC_next = reset_up ? 16'd0 : c5_2_ACC_rung8;
   wire c5_2_DN_next = ~reset_up & c5_2_DN_2;
   wire overflow_next = ~reset_up & c5_2_OV_2;
-  wire c5_2_UN_next = ~reset_up & c5_2_UN_2;
-  wire c5_2_was_up_next = ~reset_up & c5_2_was_up_2;
+  wire c5_2_UN_next = ~reset_up & c5_2_UN;
+  wire c5_2_was_up_next = ~reset_up & c5_2_was_up;
 
   // rung 10, ab_counters.ladder:34
 
@@ -306,14 +306,14 @@ module ab_counters_test (
   always @(posedge clk) begin
     if (rst) begin
       c5_0_ACC_reg <= 16'd0;
-      c5_0_was_up <= 1'b1;
+      c5_0_was_up_reg <= 1'b1;
       c5_1_ACC_reg <= 16'd50;
-      c5_1_was_down <= 1'b1;
+      c5_1_was_down_reg <= 1'b1;
       c5_2_ACC_reg <= 16'd0;
       c5_2_DN_reg <= 1'b0;
       c5_2_OV_reg <= 1'b0;
-      c5_2_UN <= 1'b0;
-      c5_2_was_up <= 1'b1;
+      c5_2_UN_reg <= 1'b0;
+      c5_2_was_up_reg <= 1'b1;
       up_done_reg <= 1'b0;
       down_done_reg <= 1'b0;
       siemens_up_done_reg <= 1'b0;
@@ -321,14 +321,14 @@ module ab_counters_test (
       overflow_reg <= 1'b0;
     end else begin
       c5_0_ACC_reg <= c5_0_ACC_next;
-      c5_0_was_up <= c5_0_was_up_next;
+      c5_0_was_up_reg <= c5_0_was_up_next;
       c5_1_ACC_reg <= c5_1_ACC_next;
-      c5_1_was_down <= c5_1_was_down_next;
+      c5_1_was_down_reg <= c5_1_was_down_next;
       c5_2_ACC_reg <= c5_2_ACC_next;
       c5_2_DN_reg <= c5_2_DN_next;
       c5_2_OV_reg <= overflow_next;
-      c5_2_UN <= c5_2_UN_next;
-      c5_2_was_up <= c5_2_was_up_next;
+      c5_2_UN_reg <= c5_2_UN_next;
+      c5_2_was_up_reg <= c5_2_was_up_next;
       up_done_reg <= up_done_next;
       down_done_reg <= down_done_next;
       siemens_up_done_reg <= siemens_up_done_next;

@@ -244,14 +244,14 @@ end entity ab_counters_test;
 
 architecture rtl of ab_counters_test is
   signal c5_0_ACC_reg : unsigned(15 downto 0) := (others => '0');
-  signal c5_0_was_up : std_logic := '1';
+  signal c5_0_was_up_reg : std_logic := '1';
   signal c5_1_ACC_reg : unsigned(15 downto 0) := to_unsigned(50, 16);
-  signal c5_1_was_down : std_logic := '1';
+  signal c5_1_was_down_reg : std_logic := '1';
   signal c5_2_ACC_reg : unsigned(15 downto 0) := (others => '0');
   signal c5_2_DN_reg : std_logic := '0';
   signal c5_2_OV_reg : std_logic := '0';
-  signal c5_2_UN : std_logic := '0';
-  signal c5_2_was_up : std_logic := '1';
+  signal c5_2_UN_reg : std_logic := '0';
+  signal c5_2_was_up_reg : std_logic := '1';
   signal up_done_reg : std_logic := '0';
   signal down_done_reg : std_logic := '0';
   signal siemens_up_done_reg : std_logic := '0';
@@ -259,21 +259,21 @@ architecture rtl of ab_counters_test is
   signal overflow_reg : std_logic := '0';
   signal c5_0_ACC_2 : unsigned(15 downto 0);
   signal c5_0_DN : std_logic;
-  signal c5_0_was_up_2 : std_logic;
+  signal c5_0_was_up : std_logic;
   signal up_done_next : std_logic;
   signal c5_0_ACC_next : unsigned(15 downto 0);
   signal c5_0_was_up_next : std_logic;
   signal c5_1_ACC_2 : unsigned(15 downto 0);
   signal c5_1_DN : std_logic;
-  signal c5_1_was_down_2 : std_logic;
+  signal c5_1_was_down : std_logic;
   signal down_done_next : std_logic;
   signal c5_1_ACC_next : unsigned(15 downto 0);
   signal c5_1_was_down_next : std_logic;
   signal c5_2_ACC_2 : unsigned(15 downto 0);
   signal c5_2_DN_2 : std_logic;
   signal c5_2_OV_2 : std_logic;
-  signal c5_2_UN_2 : std_logic;
-  signal c5_2_was_up_2 : std_logic;
+  signal c5_2_UN : std_logic;
+  signal c5_2_was_up : std_logic;
   signal c5_2_ACC_rung8 : unsigned(15 downto 0);
   signal c5_2_ACC_next : unsigned(15 downto 0);
   signal c5_2_DN_next : std_logic;
@@ -294,10 +294,10 @@ begin
     port map (
       power => count_up,
       ACC_before => c5_0_ACC_reg,
-      was_up_before => c5_0_was_up,
+      was_up_before => c5_0_was_up_reg,
       ACC => c5_0_ACC_2,
       DN => c5_0_DN,
-      was_up => c5_0_was_up_2
+      was_up => c5_0_was_up
     );
 
   -- rung 2, ab_counters.ladder:15
@@ -305,17 +305,17 @@ begin
 
   -- rung 3, ab_counters.ladder:17
   c5_0_ACC_next <= to_unsigned(0, 16) when reset_up = '1' else c5_0_ACC_2;
-  c5_0_was_up_next <= not reset_up and c5_0_was_up_2;
+  c5_0_was_up_next <= not reset_up and c5_0_was_up;
 
   -- rung 4 "C5:1 down from 50: DN while 1 or more are left", ab_counters.ladder:19
   c5_1: entity work.ab_counters_test_AB_CTD_PRE1
     port map (
       power => count_down,
       ACC_before => c5_1_ACC_reg,
-      was_down_before => c5_1_was_down,
+      was_down_before => c5_1_was_down_reg,
       ACC => c5_1_ACC_2,
       DN => c5_1_DN,
-      was_down => c5_1_was_down_2
+      was_down => c5_1_was_down
     );
 
   -- rung 5 "so nothing is left when it is off", ab_counters.ladder:22
@@ -323,7 +323,7 @@ begin
 
   -- rung 6, ab_counters.ladder:25
   c5_1_ACC_next <= to_unsigned(0, 16) when reset_down = '1' else c5_1_ACC_2;
-  c5_1_was_down_next <= not reset_down and c5_1_was_down_2;
+  c5_1_was_down_next <= not reset_down and c5_1_was_down;
 
   -- rung 7 "C5:2 for the end of the range; CTU stops at 32767", ab_counters.ladder:27
   c5_2: entity work.ab_counters_test_AB_CTU_PRE99_2
@@ -331,13 +331,13 @@ begin
       power => count_up,
       ACC_before => c5_2_ACC_reg,
       OV_before => c5_2_OV_reg,
-      UN_before => c5_2_UN,
-      was_up_before => c5_2_was_up,
+      UN_before => c5_2_UN_reg,
+      was_up_before => c5_2_was_up_reg,
       ACC => c5_2_ACC_2,
       DN => c5_2_DN_2,
       OV => c5_2_OV_2,
-      UN => c5_2_UN_2,
-      was_up => c5_2_was_up_2
+      UN => c5_2_UN,
+      was_up => c5_2_was_up
     );
 
   -- rung 8, ab_counters.ladder:30
@@ -347,8 +347,8 @@ begin
   c5_2_ACC_next <= to_unsigned(0, 16) when reset_up = '1' else c5_2_ACC_rung8;
   c5_2_DN_next <= not reset_up and c5_2_DN_2;
   overflow_next <= not reset_up and c5_2_OV_2;
-  c5_2_UN_next <= not reset_up and c5_2_UN_2;
-  c5_2_was_up_next <= not reset_up and c5_2_was_up_2;
+  c5_2_UN_next <= not reset_up and c5_2_UN;
+  c5_2_was_up_next <= not reset_up and c5_2_was_up;
 
   -- rung 10, ab_counters.ladder:34
 
@@ -395,14 +395,14 @@ begin
     if rising_edge(clk) then
       if rst = '1' then
         c5_0_ACC_reg <= (others => '0');
-        c5_0_was_up <= '1';
+        c5_0_was_up_reg <= '1';
         c5_1_ACC_reg <= to_unsigned(50, 16);
-        c5_1_was_down <= '1';
+        c5_1_was_down_reg <= '1';
         c5_2_ACC_reg <= (others => '0');
         c5_2_DN_reg <= '0';
         c5_2_OV_reg <= '0';
-        c5_2_UN <= '0';
-        c5_2_was_up <= '1';
+        c5_2_UN_reg <= '0';
+        c5_2_was_up_reg <= '1';
         up_done_reg <= '0';
         down_done_reg <= '0';
         siemens_up_done_reg <= '0';
@@ -410,14 +410,14 @@ begin
         overflow_reg <= '0';
       else
         c5_0_ACC_reg <= c5_0_ACC_next;
-        c5_0_was_up <= c5_0_was_up_next;
+        c5_0_was_up_reg <= c5_0_was_up_next;
         c5_1_ACC_reg <= c5_1_ACC_next;
-        c5_1_was_down <= c5_1_was_down_next;
+        c5_1_was_down_reg <= c5_1_was_down_next;
         c5_2_ACC_reg <= c5_2_ACC_next;
         c5_2_DN_reg <= c5_2_DN_next;
         c5_2_OV_reg <= overflow_next;
-        c5_2_UN <= c5_2_UN_next;
-        c5_2_was_up <= c5_2_was_up_next;
+        c5_2_UN_reg <= c5_2_UN_next;
+        c5_2_was_up_reg <= c5_2_was_up_next;
         up_done_reg <= up_done_next;
         down_done_reg <= down_done_next;
         siemens_up_done_reg <= siemens_up_done_next;

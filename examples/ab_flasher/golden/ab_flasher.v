@@ -193,31 +193,31 @@ module ab_flasher (
   output wire ab_light,
   output wire siemens_light
 );
-  reg [15:0] t4_0_ACC = 16'd0;
-  reg [31:0] t4_0_fraction = 32'd0;
-  reg [15:0] t4_1_ACC = 16'd0;
-  reg [31:0] t4_1_fraction = 32'd0;
+  reg [15:0] t4_0_ACC_reg = 16'd0;
+  reg [31:0] t4_0_fraction_reg = 32'd0;
+  reg [15:0] t4_1_ACC_reg = 16'd0;
+  reg [31:0] t4_1_fraction_reg = 32'd0;
   reg ab_light_reg = 1'b0;
   reg siemens_light_reg = 1'b0;
 
   // rung 1 "T4:0: dark for 0.5 s", ab_flasher.ladder:7
-  wire [15:0] t4_1_ACC_2;
+  wire [15:0] t4_1_ACC;
   wire t4_1_DN_last;
-  wire [31:0] t4_1_fraction_2;
+  wire [31:0] t4_1_fraction;
   wire t4_0_power = enable & ~t4_1_DN_last;
-  wire [15:0] t4_0_ACC_2;
+  wire [15:0] t4_0_ACC;
   wire t4_0_DN;
-  wire [31:0] t4_0_fraction_2;
+  wire [31:0] t4_0_fraction;
   ab_flasher_AB_TON_BASE10_PRE50 t4_0 (
     .clk(clk),
     .rst(rst),
     .tick(tick),
     .power(t4_0_power),
-    .ACC_before(t4_0_ACC),
-    .fraction_before(t4_0_fraction),
-    .ACC(t4_0_ACC_2),
+    .ACC_before(t4_0_ACC_reg),
+    .fraction_before(t4_0_fraction_reg),
+    .ACC(t4_0_ACC),
     .DN(t4_0_DN),
-    .fraction(t4_0_fraction_2)
+    .fraction(t4_0_fraction)
   );
 
   // rung 2 "T4:1: lit for 0.3 s", ab_flasher.ladder:10
@@ -226,11 +226,11 @@ module ab_flasher (
     .rst(rst),
     .tick(tick),
     .power(t4_0_DN),
-    .ACC_before(t4_1_ACC),
-    .fraction_before(t4_1_fraction),
-    .ACC(t4_1_ACC_2),
+    .ACC_before(t4_1_ACC_reg),
+    .fraction_before(t4_1_fraction_reg),
+    .ACC(t4_1_ACC),
     .DN_last(t4_1_DN_last),
-    .fraction(t4_1_fraction_2)
+    .fraction(t4_1_fraction)
   );
 
   // rung 3, ab_flasher.ladder:13
@@ -265,17 +265,17 @@ module ab_flasher (
 
   always @(posedge clk) begin
     if (rst) begin
-      t4_0_ACC <= 16'd0;
-      t4_0_fraction <= 32'd0;
-      t4_1_ACC <= 16'd0;
-      t4_1_fraction <= 32'd0;
+      t4_0_ACC_reg <= 16'd0;
+      t4_0_fraction_reg <= 32'd0;
+      t4_1_ACC_reg <= 16'd0;
+      t4_1_fraction_reg <= 32'd0;
       ab_light_reg <= 1'b0;
       siemens_light_reg <= 1'b0;
     end else begin
-      t4_0_ACC <= t4_0_ACC_2;
-      t4_0_fraction <= t4_0_fraction_2;
-      t4_1_ACC <= t4_1_ACC_2;
-      t4_1_fraction <= t4_1_fraction_2;
+      t4_0_ACC_reg <= t4_0_ACC;
+      t4_0_fraction_reg <= t4_0_fraction;
+      t4_1_ACC_reg <= t4_1_ACC;
+      t4_1_fraction_reg <= t4_1_fraction;
       ab_light_reg <= ab_light_next;
       siemens_light_reg <= siemens_light_next;
     end

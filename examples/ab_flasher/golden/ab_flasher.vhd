@@ -278,19 +278,19 @@ entity ab_flasher is
 end entity ab_flasher;
 
 architecture rtl of ab_flasher is
-  signal t4_0_ACC : unsigned(15 downto 0) := (others => '0');
-  signal t4_0_fraction : unsigned(31 downto 0) := (others => '0');
-  signal t4_1_ACC : unsigned(15 downto 0) := (others => '0');
-  signal t4_1_fraction : unsigned(31 downto 0) := (others => '0');
+  signal t4_0_ACC_reg : unsigned(15 downto 0) := (others => '0');
+  signal t4_0_fraction_reg : unsigned(31 downto 0) := (others => '0');
+  signal t4_1_ACC_reg : unsigned(15 downto 0) := (others => '0');
+  signal t4_1_fraction_reg : unsigned(31 downto 0) := (others => '0');
   signal ab_light_reg : std_logic := '0';
   signal siemens_light_reg : std_logic := '0';
-  signal t4_1_ACC_2 : unsigned(15 downto 0);
+  signal t4_1_ACC : unsigned(15 downto 0);
   signal t4_1_DN_last : std_logic;
-  signal t4_1_fraction_2 : unsigned(31 downto 0);
+  signal t4_1_fraction : unsigned(31 downto 0);
   signal t4_0_power : std_logic;
-  signal t4_0_ACC_2 : unsigned(15 downto 0);
+  signal t4_0_ACC : unsigned(15 downto 0);
   signal t4_0_DN : std_logic;
-  signal t4_0_fraction_2 : unsigned(31 downto 0);
+  signal t4_0_fraction : unsigned(31 downto 0);
   signal ab_light_next : std_logic;
   signal t2_Q_last : std_logic;
   signal t1_power : std_logic;
@@ -306,11 +306,11 @@ begin
       rst => rst,
       tick => tick,
       power => t4_0_power,
-      ACC_before => t4_0_ACC,
-      fraction_before => t4_0_fraction,
-      ACC => t4_0_ACC_2,
+      ACC_before => t4_0_ACC_reg,
+      fraction_before => t4_0_fraction_reg,
+      ACC => t4_0_ACC,
       DN => t4_0_DN,
-      fraction => t4_0_fraction_2
+      fraction => t4_0_fraction
     );
 
   -- rung 2 "T4:1: lit for 0.3 s", ab_flasher.ladder:10
@@ -320,11 +320,11 @@ begin
       rst => rst,
       tick => tick,
       power => t4_0_DN,
-      ACC_before => t4_1_ACC,
-      fraction_before => t4_1_fraction,
-      ACC => t4_1_ACC_2,
+      ACC_before => t4_1_ACC_reg,
+      fraction_before => t4_1_fraction_reg,
+      ACC => t4_1_ACC,
       DN_last => t4_1_DN_last,
-      fraction => t4_1_fraction_2
+      fraction => t4_1_fraction
     );
 
   -- rung 3, ab_flasher.ladder:13
@@ -361,17 +361,17 @@ begin
   begin
     if rising_edge(clk) then
       if rst = '1' then
-        t4_0_ACC <= (others => '0');
-        t4_0_fraction <= (others => '0');
-        t4_1_ACC <= (others => '0');
-        t4_1_fraction <= (others => '0');
+        t4_0_ACC_reg <= (others => '0');
+        t4_0_fraction_reg <= (others => '0');
+        t4_1_ACC_reg <= (others => '0');
+        t4_1_fraction_reg <= (others => '0');
         ab_light_reg <= '0';
         siemens_light_reg <= '0';
       else
-        t4_0_ACC <= t4_0_ACC_2;
-        t4_0_fraction <= t4_0_fraction_2;
-        t4_1_ACC <= t4_1_ACC_2;
-        t4_1_fraction <= t4_1_fraction_2;
+        t4_0_ACC_reg <= t4_0_ACC;
+        t4_0_fraction_reg <= t4_0_fraction;
+        t4_1_ACC_reg <= t4_1_ACC;
+        t4_1_fraction_reg <= t4_1_fraction;
         ab_light_reg <= ab_light_next;
         siemens_light_reg <= siemens_light_next;
       end if;

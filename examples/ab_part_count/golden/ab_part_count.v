@@ -155,24 +155,24 @@ module ab_part_count (
   output wire siemens_pump,
   output wire siemens_batch
 );
-  reg [31:0] delay_tmr_ACC = 32'd0;
-  reg [31:0] part_count_ACC = 32'd0;
-  reg part_count_was_up = 1'b1;
+  reg [31:0] delay_tmr_ACC_reg = 32'd0;
+  reg [31:0] part_count_ACC_reg = 32'd0;
+  reg part_count_was_up_reg = 1'b1;
   reg pump_on_for_a_while_reg = 1'b0;
   reg batch_done_reg = 1'b0;
   reg siemens_pump_reg = 1'b0;
   reg siemens_batch_reg = 1'b0;
 
   // rung 1 "Delay_Tmr", ab_part_count.ladder:8
-  wire [31:0] delay_tmr_ACC_2;
+  wire [31:0] delay_tmr_ACC;
   wire delay_tmr_DN;
   ab_part_count_AB_TON_BASE1_DINT_PRE500 delay_tmr (
     .clk(clk),
     .rst(rst),
     .tick(tick),
     .power(pump_run),
-    .ACC_before(delay_tmr_ACC),
-    .ACC(delay_tmr_ACC_2),
+    .ACC_before(delay_tmr_ACC_reg),
+    .ACC(delay_tmr_ACC),
     .DN(delay_tmr_DN)
   );
 
@@ -180,24 +180,24 @@ module ab_part_count (
   wire pump_on_for_a_while_next = delay_tmr_DN;
 
   // rung 3 "Part_Count", ab_part_count.ladder:13
-  wire [31:0] part_count_ACC_2;
+  wire [31:0] part_count_ACC;
   wire part_count_DN;
-  wire part_count_was_up_2;
+  wire part_count_was_up;
   ab_part_count_AB_CTU_DINT_PRE1000 part_count (
     .power(part_present),
-    .ACC_before(part_count_ACC),
-    .was_up_before(part_count_was_up),
-    .ACC(part_count_ACC_2),
+    .ACC_before(part_count_ACC_reg),
+    .was_up_before(part_count_was_up_reg),
+    .ACC(part_count_ACC),
     .DN(part_count_DN),
-    .was_up(part_count_was_up_2)
+    .was_up(part_count_was_up)
   );
 
   // rung 4, ab_part_count.ladder:16
   wire batch_done_next = part_count_DN;
 
   // rung 5, ab_part_count.ladder:18
-  wire [31:0] part_count_ACC_next = clear ? 32'd0 : part_count_ACC_2;
-  wire part_count_was_up_next = ~clear & part_count_was_up_2;
+  wire [31:0] part_count_ACC_next = clear ? 32'd0 : part_count_ACC;
+  wire part_count_was_up_next = ~clear & part_count_was_up;
 
   // rung 6 "DB1", ab_part_count.ladder:20
   wire db1_Q;
@@ -228,17 +228,17 @@ module ab_part_count (
 
   always @(posedge clk) begin
     if (rst) begin
-      delay_tmr_ACC <= 32'd0;
-      part_count_ACC <= 32'd0;
-      part_count_was_up <= 1'b1;
+      delay_tmr_ACC_reg <= 32'd0;
+      part_count_ACC_reg <= 32'd0;
+      part_count_was_up_reg <= 1'b1;
       pump_on_for_a_while_reg <= 1'b0;
       batch_done_reg <= 1'b0;
       siemens_pump_reg <= 1'b0;
       siemens_batch_reg <= 1'b0;
     end else begin
-      delay_tmr_ACC <= delay_tmr_ACC_2;
-      part_count_ACC <= part_count_ACC_next;
-      part_count_was_up <= part_count_was_up_next;
+      delay_tmr_ACC_reg <= delay_tmr_ACC;
+      part_count_ACC_reg <= part_count_ACC_next;
+      part_count_was_up_reg <= part_count_was_up_next;
       pump_on_for_a_while_reg <= pump_on_for_a_while_next;
       batch_done_reg <= batch_done_next;
       siemens_pump_reg <= siemens_pump_next;

@@ -221,19 +221,19 @@ entity ab_part_count is
 end entity ab_part_count;
 
 architecture rtl of ab_part_count is
-  signal delay_tmr_ACC : unsigned(31 downto 0) := (others => '0');
-  signal part_count_ACC : unsigned(31 downto 0) := (others => '0');
-  signal part_count_was_up : std_logic := '1';
+  signal delay_tmr_ACC_reg : unsigned(31 downto 0) := (others => '0');
+  signal part_count_ACC_reg : unsigned(31 downto 0) := (others => '0');
+  signal part_count_was_up_reg : std_logic := '1';
   signal pump_on_for_a_while_reg : std_logic := '0';
   signal batch_done_reg : std_logic := '0';
   signal siemens_pump_reg : std_logic := '0';
   signal siemens_batch_reg : std_logic := '0';
-  signal delay_tmr_ACC_2 : unsigned(31 downto 0);
+  signal delay_tmr_ACC : unsigned(31 downto 0);
   signal delay_tmr_DN : std_logic;
   signal pump_on_for_a_while_next : std_logic;
-  signal part_count_ACC_2 : unsigned(31 downto 0);
+  signal part_count_ACC : unsigned(31 downto 0);
   signal part_count_DN : std_logic;
-  signal part_count_was_up_2 : std_logic;
+  signal part_count_was_up : std_logic;
   signal batch_done_next : std_logic;
   signal part_count_ACC_next : unsigned(31 downto 0);
   signal part_count_was_up_next : std_logic;
@@ -250,8 +250,8 @@ begin
       rst => rst,
       tick => tick,
       power => pump_run,
-      ACC_before => delay_tmr_ACC,
-      ACC => delay_tmr_ACC_2,
+      ACC_before => delay_tmr_ACC_reg,
+      ACC => delay_tmr_ACC,
       DN => delay_tmr_DN
     );
 
@@ -262,19 +262,19 @@ begin
   part_count: entity work.ab_part_count_AB_CTU_DINT_PRE1000
     port map (
       power => part_present,
-      ACC_before => part_count_ACC,
-      was_up_before => part_count_was_up,
-      ACC => part_count_ACC_2,
+      ACC_before => part_count_ACC_reg,
+      was_up_before => part_count_was_up_reg,
+      ACC => part_count_ACC,
       DN => part_count_DN,
-      was_up => part_count_was_up_2
+      was_up => part_count_was_up
     );
 
   -- rung 4, ab_part_count.ladder:16
   batch_done_next <= part_count_DN;
 
   -- rung 5, ab_part_count.ladder:18
-  part_count_ACC_next <= to_unsigned(0, 32) when clear = '1' else part_count_ACC_2;
-  part_count_was_up_next <= not clear and part_count_was_up_2;
+  part_count_ACC_next <= to_unsigned(0, 32) when clear = '1' else part_count_ACC;
+  part_count_was_up_next <= not clear and part_count_was_up;
 
   -- rung 6 "DB1", ab_part_count.ladder:20
   db1: entity work.ab_part_count_TON_PT500
@@ -307,17 +307,17 @@ begin
   begin
     if rising_edge(clk) then
       if rst = '1' then
-        delay_tmr_ACC <= (others => '0');
-        part_count_ACC <= (others => '0');
-        part_count_was_up <= '1';
+        delay_tmr_ACC_reg <= (others => '0');
+        part_count_ACC_reg <= (others => '0');
+        part_count_was_up_reg <= '1';
         pump_on_for_a_while_reg <= '0';
         batch_done_reg <= '0';
         siemens_pump_reg <= '0';
         siemens_batch_reg <= '0';
       else
-        delay_tmr_ACC <= delay_tmr_ACC_2;
-        part_count_ACC <= part_count_ACC_next;
-        part_count_was_up <= part_count_was_up_next;
+        delay_tmr_ACC_reg <= delay_tmr_ACC;
+        part_count_ACC_reg <= part_count_ACC_next;
+        part_count_was_up_reg <= part_count_was_up_next;
         pump_on_for_a_while_reg <= pump_on_for_a_while_next;
         batch_done_reg <= batch_done_next;
         siemens_pump_reg <= siemens_pump_next;

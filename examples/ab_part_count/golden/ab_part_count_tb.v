@@ -153,24 +153,24 @@ module ab_part_count_test (
   output wire [31:0] part_count_ACC,
   output wire [15:0] db2_CV
 );
-  reg [31:0] delay_tmr_ACC = 32'd0;
+  reg [31:0] delay_tmr_ACC_reg = 32'd0;
   reg [31:0] part_count_ACC_reg = 32'd0;
-  reg part_count_was_up = 1'b1;
+  reg part_count_was_up_reg = 1'b1;
   reg pump_on_for_a_while_reg = 1'b0;
   reg batch_done_reg = 1'b0;
   reg siemens_pump_reg = 1'b0;
   reg siemens_batch_reg = 1'b0;
 
   // rung 1 "Delay_Tmr", ab_part_count.ladder:8
-  wire [31:0] delay_tmr_ACC_2;
+  wire [31:0] delay_tmr_ACC;
   wire delay_tmr_DN;
   ab_part_count_test_AB_TON_BASE1_DINT_PRE500 delay_tmr (
     .clk(clk),
     .rst(rst),
     .tick(tick),
     .power(pump_run),
-    .ACC_before(delay_tmr_ACC),
-    .ACC(delay_tmr_ACC_2),
+    .ACC_before(delay_tmr_ACC_reg),
+    .ACC(delay_tmr_ACC),
     .DN(delay_tmr_DN)
   );
 
@@ -180,14 +180,14 @@ module ab_part_count_test (
   // rung 3 "Part_Count", ab_part_count.ladder:13
   wire [31:0] part_count_ACC_2;
   wire part_count_DN;
-  wire part_count_was_up_2;
+  wire part_count_was_up;
   ab_part_count_test_AB_CTU_DINT_PRE1000 part_count (
     .power(part_present),
     .ACC_before(part_count_ACC_reg),
-    .was_up_before(part_count_was_up),
+    .was_up_before(part_count_was_up_reg),
     .ACC(part_count_ACC_2),
     .DN(part_count_DN),
-    .was_up(part_count_was_up_2)
+    .was_up(part_count_was_up)
   );
 
   // rung 4, ab_part_count.ladder:16
@@ -195,7 +195,7 @@ module ab_part_count_test (
 
   // rung 5, ab_part_count.ladder:18
   wire [31:0] part_count_ACC_next = clear ? 32'd0 : part_count_ACC_2;
-  wire part_count_was_up_next = ~clear & part_count_was_up_2;
+  wire part_count_was_up_next = ~clear & part_count_was_up;
 
   // rung 6 "DB1", ab_part_count.ladder:20
   wire db1_Q;
@@ -231,17 +231,17 @@ module ab_part_count_test (
 
   always @(posedge clk) begin
     if (rst) begin
-      delay_tmr_ACC <= 32'd0;
+      delay_tmr_ACC_reg <= 32'd0;
       part_count_ACC_reg <= 32'd0;
-      part_count_was_up <= 1'b1;
+      part_count_was_up_reg <= 1'b1;
       pump_on_for_a_while_reg <= 1'b0;
       batch_done_reg <= 1'b0;
       siemens_pump_reg <= 1'b0;
       siemens_batch_reg <= 1'b0;
     end else begin
-      delay_tmr_ACC <= delay_tmr_ACC_2;
+      delay_tmr_ACC_reg <= delay_tmr_ACC;
       part_count_ACC_reg <= part_count_ACC_next;
-      part_count_was_up <= part_count_was_up_next;
+      part_count_was_up_reg <= part_count_was_up_next;
       pump_on_for_a_while_reg <= pump_on_for_a_while_next;
       batch_done_reg <= batch_done_next;
       siemens_pump_reg <= siemens_pump_next;

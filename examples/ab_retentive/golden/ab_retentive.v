@@ -104,37 +104,37 @@ module ab_retentive (
   output wire siemens_service
 );
   reg [3:0] t4_2_PRE = 4'd5;
-  reg [15:0] t4_2_ACC = 16'd0;
-  reg [31:0] t4_2_fraction = 32'd0;
+  reg [15:0] t4_2_ACC_reg = 16'd0;
+  reg [31:0] t4_2_fraction_reg = 32'd0;
   reg [9:0] limit = 10'd500;
   reg service_reg = 1'b0;
   reg siemens_service_reg = 1'b0;
 
   // rung 1 "T4:2, five units of a second", ab_retentive.ladder:12
   wire [15:0] t4_2_PRE_2 = {12'b0, t4_2_PRE};
-  wire [15:0] t4_2_ACC_2;
+  wire [15:0] t4_2_ACC;
   wire t4_2_DN;
-  wire [31:0] t4_2_fraction_2;
+  wire [31:0] t4_2_fraction;
   ab_retentive_AB_RTO_BASE100 t4_2 (
     .clk(clk),
     .rst(rst),
     .tick(tick),
     .power(pump),
     .PRE(t4_2_PRE_2),
-    .ACC_before(t4_2_ACC),
-    .fraction_before(t4_2_fraction),
+    .ACC_before(t4_2_ACC_reg),
+    .fraction_before(t4_2_fraction_reg),
     .clear_after(reset_button),
-    .ACC(t4_2_ACC_2),
+    .ACC(t4_2_ACC),
     .DN(t4_2_DN),
-    .fraction(t4_2_fraction_2)
+    .fraction(t4_2_fraction)
   );
 
   // rung 2, ab_retentive.ladder:15
   wire service_next = t4_2_DN;
 
   // rung 3 "RES", ab_retentive.ladder:17
-  wire [15:0] t4_2_ACC_next = reset_button ? 16'd0 : t4_2_ACC_2;
-  wire [31:0] t4_2_fraction_next = reset_button ? 32'd0 : t4_2_fraction_2;
+  wire [15:0] t4_2_ACC_next = reset_button ? 16'd0 : t4_2_ACC;
+  wire [31:0] t4_2_fraction_next = reset_button ? 32'd0 : t4_2_fraction;
 
   // rung 4 "the same with Siemens' timer", ab_retentive.ladder:20
   wire [31:0] t3_PT = {22'b0, limit};
@@ -160,15 +160,15 @@ module ab_retentive (
   always @(posedge clk) begin
     if (rst) begin
       t4_2_PRE <= 4'd5;
-      t4_2_ACC <= 16'd0;
-      t4_2_fraction <= 32'd0;
+      t4_2_ACC_reg <= 16'd0;
+      t4_2_fraction_reg <= 32'd0;
       limit <= 10'd500;
       service_reg <= 1'b0;
       siemens_service_reg <= 1'b0;
     end else begin
       t4_2_PRE <= t4_2_PRE_next;
-      t4_2_ACC <= t4_2_ACC_next;
-      t4_2_fraction <= t4_2_fraction_next;
+      t4_2_ACC_reg <= t4_2_ACC_next;
+      t4_2_fraction_reg <= t4_2_fraction_next;
       limit <= limit_next;
       service_reg <= service_next;
       siemens_service_reg <= siemens_service_next;

@@ -124,7 +124,7 @@ module ab_retentive_test (
 );
   reg [3:0] t4_2_PRE = 4'd5;
   reg [15:0] t4_2_ACC_reg = 16'd0;
-  reg [31:0] t4_2_fraction = 32'd0;
+  reg [31:0] t4_2_fraction_reg = 32'd0;
   reg [9:0] limit = 10'd500;
   reg service_reg = 1'b0;
   reg siemens_service_reg = 1'b0;
@@ -135,7 +135,7 @@ module ab_retentive_test (
   wire t4_2_EN_last;
   wire t4_2_TT_last;
   wire t4_2_DN;
-  wire [31:0] t4_2_fraction_2;
+  wire [31:0] t4_2_fraction;
   ab_retentive_test_AB_RTO_BASE100 t4_2 (
     .clk(clk),
     .rst(rst),
@@ -143,13 +143,13 @@ module ab_retentive_test (
     .power(pump),
     .PRE(t4_2_PRE_2),
     .ACC_before(t4_2_ACC_reg),
-    .fraction_before(t4_2_fraction),
+    .fraction_before(t4_2_fraction_reg),
     .clear_after(reset_button),
     .ACC(t4_2_ACC_2),
     .EN_last(t4_2_EN_last),
     .TT_last(t4_2_TT_last),
     .DN(t4_2_DN),
-    .fraction(t4_2_fraction_2)
+    .fraction(t4_2_fraction)
   );
 
   // rung 2, ab_retentive.ladder:15
@@ -157,7 +157,7 @@ module ab_retentive_test (
 
   // rung 3 "RES", ab_retentive.ladder:17
   wire [15:0] t4_2_ACC_next = reset_button ? 16'd0 : t4_2_ACC_2;
-  wire [31:0] t4_2_fraction_next = reset_button ? 32'd0 : t4_2_fraction_2;
+  wire [31:0] t4_2_fraction_next = reset_button ? 32'd0 : t4_2_fraction;
 
   // rung 4 "the same with Siemens' timer", ab_retentive.ladder:20
   wire [31:0] t3_PT = {22'b0, limit};
@@ -190,14 +190,14 @@ module ab_retentive_test (
     if (rst) begin
       t4_2_PRE <= 4'd5;
       t4_2_ACC_reg <= 16'd0;
-      t4_2_fraction <= 32'd0;
+      t4_2_fraction_reg <= 32'd0;
       limit <= 10'd500;
       service_reg <= 1'b0;
       siemens_service_reg <= 1'b0;
     end else begin
       t4_2_PRE <= t4_2_PRE_next;
       t4_2_ACC_reg <= t4_2_ACC_next;
-      t4_2_fraction <= t4_2_fraction_next;
+      t4_2_fraction_reg <= t4_2_fraction_next;
       limit <= limit_next;
       service_reg <= service_next;
       siemens_service_reg <= siemens_service_next;

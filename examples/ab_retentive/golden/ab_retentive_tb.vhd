@@ -169,7 +169,7 @@ end entity ab_retentive_test;
 architecture rtl of ab_retentive_test is
   signal t4_2_PRE : unsigned(3 downto 0) := to_unsigned(5, 4);
   signal t4_2_ACC_reg : unsigned(15 downto 0) := (others => '0');
-  signal t4_2_fraction : unsigned(31 downto 0) := (others => '0');
+  signal t4_2_fraction_reg : unsigned(31 downto 0) := (others => '0');
   signal limit : unsigned(9 downto 0) := to_unsigned(500, 10);
   signal service_reg : std_logic := '0';
   signal siemens_service_reg : std_logic := '0';
@@ -178,7 +178,7 @@ architecture rtl of ab_retentive_test is
   signal t4_2_EN_last : std_logic;
   signal t4_2_TT_last : std_logic;
   signal t4_2_DN : std_logic;
-  signal t4_2_fraction_2 : unsigned(31 downto 0);
+  signal t4_2_fraction : unsigned(31 downto 0);
   signal service_next : std_logic;
   signal t4_2_ACC_next : unsigned(15 downto 0);
   signal t4_2_fraction_next : unsigned(31 downto 0);
@@ -200,13 +200,13 @@ begin
       power => pump,
       PRE => t4_2_PRE_2,
       ACC_before => t4_2_ACC_reg,
-      fraction_before => t4_2_fraction,
+      fraction_before => t4_2_fraction_reg,
       clear_after => reset_button,
       ACC => t4_2_ACC_2,
       EN_last => t4_2_EN_last,
       TT_last => t4_2_TT_last,
       DN => t4_2_DN,
-      fraction => t4_2_fraction_2
+      fraction => t4_2_fraction
     );
 
   -- rung 2, ab_retentive.ladder:15
@@ -214,7 +214,7 @@ begin
 
   -- rung 3 "RES", ab_retentive.ladder:17
   t4_2_ACC_next <= to_unsigned(0, 16) when reset_button = '1' else t4_2_ACC_2;
-  t4_2_fraction_next <= to_unsigned(0, 32) when reset_button = '1' else t4_2_fraction_2;
+  t4_2_fraction_next <= to_unsigned(0, 32) when reset_button = '1' else t4_2_fraction;
 
   -- rung 4 "the same with Siemens' timer", ab_retentive.ladder:20
   t3_PT <= resize(limit, 32);
@@ -248,14 +248,14 @@ begin
       if rst = '1' then
         t4_2_PRE <= to_unsigned(5, 4);
         t4_2_ACC_reg <= (others => '0');
-        t4_2_fraction <= (others => '0');
+        t4_2_fraction_reg <= (others => '0');
         limit <= to_unsigned(500, 10);
         service_reg <= '0';
         siemens_service_reg <= '0';
       else
         t4_2_PRE <= t4_2_PRE_next;
         t4_2_ACC_reg <= t4_2_ACC_next;
-        t4_2_fraction <= t4_2_fraction_next;
+        t4_2_fraction_reg <= t4_2_fraction_next;
         limit <= limit_next;
         service_reg <= service_next;
         siemens_service_reg <= siemens_service_next;

@@ -95,14 +95,14 @@ module ab_seal (
   output wire siemens_motor,
   output wire siemens_next_step
 );
-  reg [31:0] delay_tmr_ACC = 32'd0;
+  reg [31:0] delay_tmr_ACC_reg = 32'd0;
   reg siemens_motor_reg = 1'b0;
   reg motor_reg = 1'b0;
   reg next_step_reg = 1'b0;
   reg siemens_next_step_reg = 1'b0;
 
   // rung 1 "Delay_Tmr seals itself in", ab_seal.ladder:9
-  wire [31:0] delay_tmr_ACC_2;
+  wire [31:0] delay_tmr_ACC;
   wire delay_tmr_EN;
   wire delay_tmr_EN_last;
   wire delay_tmr_DN;
@@ -112,8 +112,8 @@ module ab_seal (
     .rst(rst),
     .tick(tick),
     .power(delay_tmr_power),
-    .ACC_before(delay_tmr_ACC),
-    .ACC(delay_tmr_ACC_2),
+    .ACC_before(delay_tmr_ACC_reg),
+    .ACC(delay_tmr_ACC),
     .EN(delay_tmr_EN),
     .EN_last(delay_tmr_EN_last),
     .DN(delay_tmr_DN)
@@ -144,13 +144,13 @@ module ab_seal (
 
   always @(posedge clk) begin
     if (rst) begin
-      delay_tmr_ACC <= 32'd0;
+      delay_tmr_ACC_reg <= 32'd0;
       siemens_motor_reg <= 1'b0;
       motor_reg <= 1'b0;
       next_step_reg <= 1'b0;
       siemens_next_step_reg <= 1'b0;
     end else begin
-      delay_tmr_ACC <= delay_tmr_ACC_2;
+      delay_tmr_ACC_reg <= delay_tmr_ACC;
       siemens_motor_reg <= siemens_motor_next;
       motor_reg <= motor_next;
       next_step_reg <= next_step_next;

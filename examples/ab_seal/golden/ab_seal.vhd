@@ -133,12 +133,12 @@ entity ab_seal is
 end entity ab_seal;
 
 architecture rtl of ab_seal is
-  signal delay_tmr_ACC : unsigned(31 downto 0) := (others => '0');
+  signal delay_tmr_ACC_reg : unsigned(31 downto 0) := (others => '0');
   signal siemens_motor_reg : std_logic := '0';
   signal motor_reg : std_logic := '0';
   signal next_step_reg : std_logic := '0';
   signal siemens_next_step_reg : std_logic := '0';
-  signal delay_tmr_ACC_2 : unsigned(31 downto 0);
+  signal delay_tmr_ACC : unsigned(31 downto 0);
   signal delay_tmr_EN : std_logic;
   signal delay_tmr_EN_last : std_logic;
   signal delay_tmr_DN : std_logic;
@@ -158,8 +158,8 @@ begin
       rst => rst,
       tick => tick,
       power => delay_tmr_power,
-      ACC_before => delay_tmr_ACC,
-      ACC => delay_tmr_ACC_2,
+      ACC_before => delay_tmr_ACC_reg,
+      ACC => delay_tmr_ACC,
       EN => delay_tmr_EN,
       EN_last => delay_tmr_EN_last,
       DN => delay_tmr_DN
@@ -192,13 +192,13 @@ begin
   begin
     if rising_edge(clk) then
       if rst = '1' then
-        delay_tmr_ACC <= (others => '0');
+        delay_tmr_ACC_reg <= (others => '0');
         siemens_motor_reg <= '0';
         motor_reg <= '0';
         next_step_reg <= '0';
         siemens_next_step_reg <= '0';
       else
-        delay_tmr_ACC <= delay_tmr_ACC_2;
+        delay_tmr_ACC_reg <= delay_tmr_ACC;
         siemens_motor_reg <= siemens_motor_next;
         motor_reg <= motor_next;
         next_step_reg <= next_step_next;

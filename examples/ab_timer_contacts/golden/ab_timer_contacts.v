@@ -109,8 +109,8 @@ module ab_timer_contacts (
   output wire siemens_done
 );
   reg [6:0] t4_0_PRE = 7'd50;
-  reg [15:0] t4_0_ACC = 16'd0;
-  reg [31:0] t4_0_fraction = 32'd0;
+  reg [15:0] t4_0_ACC_reg = 16'd0;
+  reg [31:0] t4_0_fraction_reg = 32'd0;
   reg [12:0] preset = 13'd500;
   reg enabled_reg = 1'b0;
   reg timing_reg = 1'b0;
@@ -122,24 +122,24 @@ module ab_timer_contacts (
 
   // rung 1 "T4:0, 50 units of 10 ms", ab_timer_contacts.ladder:12
   wire [15:0] t4_0_PRE_2 = {7'b0, {{2{t4_0_PRE[6]}}, t4_0_PRE}};
-  wire [15:0] t4_0_ACC_2;
+  wire [15:0] t4_0_ACC;
   wire t4_0_EN;
   wire t4_0_TT;
   wire t4_0_DN;
-  wire [31:0] t4_0_fraction_2;
+  wire [31:0] t4_0_fraction;
   ab_timer_contacts_AB_TON_BASE10 t4_0 (
     .clk(clk),
     .rst(rst),
     .tick(tick),
     .power(run),
     .PRE(t4_0_PRE_2),
-    .ACC_before(t4_0_ACC),
-    .fraction_before(t4_0_fraction),
-    .ACC(t4_0_ACC_2),
+    .ACC_before(t4_0_ACC_reg),
+    .fraction_before(t4_0_fraction_reg),
+    .ACC(t4_0_ACC),
     .EN(t4_0_EN),
     .TT(t4_0_TT),
     .DN(t4_0_DN),
-    .fraction(t4_0_fraction_2)
+    .fraction(t4_0_fraction)
   );
 
   // rung 2 "EN", ab_timer_contacts.ladder:15
@@ -188,8 +188,8 @@ module ab_timer_contacts (
   always @(posedge clk) begin
     if (rst) begin
       t4_0_PRE <= 7'd50;
-      t4_0_ACC <= 16'd0;
-      t4_0_fraction <= 32'd0;
+      t4_0_ACC_reg <= 16'd0;
+      t4_0_fraction_reg <= 32'd0;
       preset <= 13'd500;
       enabled_reg <= 1'b0;
       timing_reg <= 1'b0;
@@ -200,8 +200,8 @@ module ab_timer_contacts (
       siemens_done_reg <= 1'b0;
     end else begin
       t4_0_PRE <= t4_0_PRE_next;
-      t4_0_ACC <= t4_0_ACC_2;
-      t4_0_fraction <= t4_0_fraction_2;
+      t4_0_ACC_reg <= t4_0_ACC;
+      t4_0_fraction_reg <= t4_0_fraction;
       preset <= preset_next;
       enabled_reg <= enabled_next;
       timing_reg <= timing_next;

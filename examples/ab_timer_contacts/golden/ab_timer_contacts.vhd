@@ -151,8 +151,8 @@ end entity ab_timer_contacts;
 
 architecture rtl of ab_timer_contacts is
   signal t4_0_PRE : unsigned(6 downto 0) := to_unsigned(50, 7);
-  signal t4_0_ACC : unsigned(15 downto 0) := (others => '0');
-  signal t4_0_fraction : unsigned(31 downto 0) := (others => '0');
+  signal t4_0_ACC_reg : unsigned(15 downto 0) := (others => '0');
+  signal t4_0_fraction_reg : unsigned(31 downto 0) := (others => '0');
   signal preset : unsigned(12 downto 0) := to_unsigned(500, 13);
   signal enabled_reg : std_logic := '0';
   signal timing_reg : std_logic := '0';
@@ -162,11 +162,11 @@ architecture rtl of ab_timer_contacts is
   signal not_done_reg : std_logic := '0';
   signal siemens_done_reg : std_logic := '0';
   signal t4_0_PRE_2 : unsigned(15 downto 0);
-  signal t4_0_ACC_2 : unsigned(15 downto 0);
+  signal t4_0_ACC : unsigned(15 downto 0);
   signal t4_0_EN : std_logic;
   signal t4_0_TT : std_logic;
   signal t4_0_DN : std_logic;
-  signal t4_0_fraction_2 : unsigned(31 downto 0);
+  signal t4_0_fraction : unsigned(31 downto 0);
   signal enabled_next : std_logic;
   signal timing_next : std_logic;
   signal done_next : std_logic;
@@ -189,13 +189,13 @@ begin
       tick => tick,
       power => run,
       PRE => t4_0_PRE_2,
-      ACC_before => t4_0_ACC,
-      fraction_before => t4_0_fraction,
-      ACC => t4_0_ACC_2,
+      ACC_before => t4_0_ACC_reg,
+      fraction_before => t4_0_fraction_reg,
+      ACC => t4_0_ACC,
       EN => t4_0_EN,
       TT => t4_0_TT,
       DN => t4_0_DN,
-      fraction => t4_0_fraction_2
+      fraction => t4_0_fraction
     );
 
   -- rung 2 "EN", ab_timer_contacts.ladder:15
@@ -246,8 +246,8 @@ begin
     if rising_edge(clk) then
       if rst = '1' then
         t4_0_PRE <= to_unsigned(50, 7);
-        t4_0_ACC <= (others => '0');
-        t4_0_fraction <= (others => '0');
+        t4_0_ACC_reg <= (others => '0');
+        t4_0_fraction_reg <= (others => '0');
         preset <= to_unsigned(500, 13);
         enabled_reg <= '0';
         timing_reg <= '0';
@@ -258,8 +258,8 @@ begin
         siemens_done_reg <= '0';
       else
         t4_0_PRE <= t4_0_PRE_next;
-        t4_0_ACC <= t4_0_ACC_2;
-        t4_0_fraction <= t4_0_fraction_2;
+        t4_0_ACC_reg <= t4_0_ACC;
+        t4_0_fraction_reg <= t4_0_fraction;
         preset <= preset_next;
         enabled_reg <= enabled_next;
         timing_reg <= timing_next;

@@ -112,7 +112,7 @@ module ab_timer_contacts_test (
 );
   reg [6:0] t4_0_PRE = 7'd50;
   reg [15:0] t4_0_ACC_reg = 16'd0;
-  reg [31:0] t4_0_fraction = 32'd0;
+  reg [31:0] t4_0_fraction_reg = 32'd0;
   reg [12:0] preset = 13'd500;
   reg enabled_reg = 1'b0;
   reg timing_reg = 1'b0;
@@ -128,7 +128,7 @@ module ab_timer_contacts_test (
   wire t4_0_EN;
   wire t4_0_TT;
   wire t4_0_DN;
-  wire [31:0] t4_0_fraction_2;
+  wire [31:0] t4_0_fraction;
   ab_timer_contacts_test_AB_TON_BASE10 t4_0 (
     .clk(clk),
     .rst(rst),
@@ -136,12 +136,12 @@ module ab_timer_contacts_test (
     .power(run),
     .PRE(t4_0_PRE_2),
     .ACC_before(t4_0_ACC_reg),
-    .fraction_before(t4_0_fraction),
+    .fraction_before(t4_0_fraction_reg),
     .ACC(t4_0_ACC_2),
     .EN(t4_0_EN),
     .TT(t4_0_TT),
     .DN(t4_0_DN),
-    .fraction(t4_0_fraction_2)
+    .fraction(t4_0_fraction)
   );
 
   // rung 2 "EN", ab_timer_contacts.ladder:15
@@ -192,7 +192,7 @@ module ab_timer_contacts_test (
     if (rst) begin
       t4_0_PRE <= 7'd50;
       t4_0_ACC_reg <= 16'd0;
-      t4_0_fraction <= 32'd0;
+      t4_0_fraction_reg <= 32'd0;
       preset <= 13'd500;
       enabled_reg <= 1'b0;
       timing_reg <= 1'b0;
@@ -204,7 +204,7 @@ module ab_timer_contacts_test (
     end else begin
       t4_0_PRE <= t4_0_PRE_next;
       t4_0_ACC_reg <= t4_0_ACC_2;
-      t4_0_fraction <= t4_0_fraction_2;
+      t4_0_fraction_reg <= t4_0_fraction;
       preset <= preset_next;
       enabled_reg <= enabled_next;
       timing_reg <= timing_next;

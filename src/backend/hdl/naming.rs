@@ -2,7 +2,8 @@
 //!
 //! A register bears the name of its variable; where an output port has that name it is the
 //! register `x_reg` that the port `x` shows, in both languages, because VHDL-93 cannot read its
-//! own output and a proof pairs registers by name. The value that a register takes is `x_next`.
+//! own output and a proof pairs registers by name; so it is where the output of an instance has the
+//! name. The value that a register takes is `x_next`.
 
 use std::collections::{HashMap, HashSet};
 
@@ -90,7 +91,7 @@ impl Naming {
             port_wires: Vec::new(),
             first_ports: Vec::new(),
         };
-        naming.name_stored(circuit, plan, &mut namer);
+        naming.name_stored(design, circuit, plan, &mut namer);
         naming.instances =
             circuit.instances.values().map(|instance| namer.take(&instance.name, "")).collect();
         naming.name_port_wires(design, circuit, plan, &mut namer);
@@ -121,13 +122,30 @@ impl Naming {
         self.port_wires.len()
     }
 
-    fn name_stored(&mut self, circuit: &Circuit, plan: &Plan, namer: &mut Namer) {
+    fn name_stored(
+        &mut self,
+        design: &Design,
+        circuit: &Circuit,
+        plan: &Plan,
+        namer: &mut Namer,
+    ) {
         let plain = self.output_ports.iter().filter(|port| !port.is_array);
         let shown: HashSet<&str> =
             plain.map(|port| &*circuit.outputs[port.parts.start].name).collect();
+        // What a block shares with others is kept outside of its module, and the module's output
+        // has the name.
+        let pins: HashSet<String> = circuit
+            .instances
+            .values()
+            .flat_map(|instance| {
+                let outputs = design.modules[instance.module].outputs.iter();
+                outputs.map(|output| format!("{}.{}", instance.name, output.name))
+            })
+            .collect();
         let mut stored = HashMap::with_capacity(circuit.registers.len());
         for (id, register) in circuit.registers.iter() {
-            let suffix = if shown.contains(&*register.name) { "_reg" } else { "" };
+            let name = &*register.name;
+            let suffix = if shown.contains(name) || pins.contains(name) { "_reg" } else { "" };
             self.registers.push(namer.take(&register.name, suffix));
             stored.entry(&*register.name).or_insert(id);
         }
