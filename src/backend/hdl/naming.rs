@@ -122,13 +122,7 @@ impl Naming {
         self.port_wires.len()
     }
 
-    fn name_stored(
-        &mut self,
-        design: &Design,
-        circuit: &Circuit,
-        plan: &Plan,
-        namer: &mut Namer,
-    ) {
+    fn name_stored(&mut self, design: &Design, circuit: &Circuit, plan: &Plan, namer: &mut Namer) {
         let plain = self.output_ports.iter().filter(|port| !port.is_array);
         let shown: HashSet<&str> =
             plain.map(|port| &*circuit.outputs[port.parts.start].name).collect();
