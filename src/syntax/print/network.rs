@@ -123,7 +123,7 @@ impl<'s> Printer<'s> {
     }
 
     fn close_braces(&mut self) {
-        self.script.blank();
+        self.script.glue();
         self.token("}");
         self.script.close();
     }

@@ -79,6 +79,8 @@ pub(super) struct Script<'s> {
     end: Mark,
     /// Blanks that come before the next text.
     blanks: usize,
+    /// The next text belongs to what is before it in spite of those blanks.
+    is_glued: bool,
     /// Instructions whose width ends here: a text that follows without a blank is a part of it.
     ending: Vec<usize>,
 }
@@ -112,6 +114,12 @@ impl<'s> Script<'s> {
 
     pub(super) fn blank(&mut self) {
         self.blanks(1);
+    }
+
+    /// A blank at which no line may end: what comes next must fit too.
+    pub(super) fn glue(&mut self) {
+        self.blank();
+        self.is_glued = true;
     }
 
     pub(super) fn blanks(&mut self, count: usize) {
@@ -152,6 +160,7 @@ impl<'s> Script<'s> {
 
     pub(super) fn comment(&mut self, text: &'s str, column: usize) {
         self.blanks = self.blanks.max(1);
+        self.is_glued = false;
         self.measure(text);
         self.blanks = 1;
         self.end.breaks += usize::from(text.contains('\n'));
@@ -196,12 +205,16 @@ impl<'s> Script<'s> {
 
     fn measure(&mut self, text: &str) {
         let columns = text.chars().count();
-        if self.blanks > 0 {
+        let mut glued = 0;
+        if self.is_glued {
+            glued = self.blanks;
+        } else if self.blanks > 0 {
             self.ending.clear();
         }
+        self.is_glued = false;
         for &op in &self.ending {
             if let Some(Some(width)) = self.ops[op].width() {
-                *width += columns;
+                *width += glued + columns;
             }
         }
         self.end.columns += self.blanks + columns;
@@ -211,6 +224,7 @@ impl<'s> Script<'s> {
     fn must_break(&mut self) {
         self.end.breaks += 1;
         self.blanks = 0;
+        self.is_glued = false;
         self.ending.clear();
     }
 
