@@ -105,8 +105,8 @@ impl<'w, 'p> Explainer<'w, 'p> {
         }
     }
 
-    /// The last write that made a variable what it is. A call writes its presets back as they
-    /// are.
+    /// The last write that made a variable what it is. A call writes its presets back, mostly as
+    /// they are; an accumulator that it counts is a preset too.
     fn last_write(&self, scan: &Scan, id: VariableId, until: usize) -> Option<usize> {
         let Variable { role, .. } = &self.why.program.variables[id];
         let mut until = until;
@@ -116,12 +116,14 @@ impl<'w, 'p> Explainer<'w, 'p> {
             let Some(Element::Call(call)) = by.map(|by| self.why.sites.at(by).element) else {
                 return Some(write);
             };
+            let called = &self.why.program.instances[call.instance];
+            let is_same =
+                || scan.recording.writes[write].value == self.scene(scan).value(id, write);
             match role {
                 Role::Member(_, port)
-                    if !self.why.program.instances[call.instance].given[*port]
-                        && self.why.program.instances[call.instance].shape.ports[*port]
-                            .role
-                            .is_parameter() =>
+                    if !called.given[*port]
+                        && called.shape.ports[*port].role.is_parameter()
+                        && is_same() =>
                 {
                     until = write;
                 }
