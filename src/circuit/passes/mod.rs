@@ -7,8 +7,10 @@
 mod ahead;
 mod family;
 mod fit;
+mod inside;
 mod merge;
 mod narrow;
+mod place;
 mod ports;
 mod rebuild;
 mod saturate;
@@ -33,7 +35,11 @@ const PASSES: &[Pass] = &[
 /// Fits the modules of a design to their instances and makes every circuit small. Behaviour at the
 /// top's ports stays the same.
 pub fn simplify(design: Design) -> Design {
-    let fitted = fit::fit(design);
+    let mut fitted = fit::fit(design);
+    if let Some(inside) = inside::compare_inside(&fitted) {
+        // The words that need not leave any more go.
+        fitted = fit::fit(inside);
+    }
     let mut circuits: Vec<Circuit> = fitted.modules.into_iter().map(|(_, module)| module).collect();
     let top = circuits.pop().expect("a design has a top");
     if circuits.is_empty() {

@@ -12,8 +12,8 @@ pub struct Rebuild<'c> {
     pub to: Circuit,
     nets: Vec<Net>,
     registers: Vec<Option<RegisterId>>,
-    /// New registers, and the net of the circuit that is copied that each takes.
-    new: Vec<(RegisterId, Net)>,
+    /// New registers, and the net of the circuit that is copied that each takes, maybe inverted.
+    new: Vec<(RegisterId, Net, bool)>,
 }
 
 impl<'c> Rebuild<'c> {
@@ -35,10 +35,10 @@ impl<'c> Rebuild<'c> {
         net
     }
 
-    /// A new register of one bit that takes a net, which may stand behind it.
-    pub fn new_register(&mut self, name: &str, reset: bool, next: Net) -> Net {
+    /// A new register of one bit that takes a net, which may stand behind it, or what it is not.
+    pub fn new_register(&mut self, name: &str, reset: bool, next: Net, inverted: bool) -> Net {
         let (id, net) = self.to.register(name, 1, u64::from(reset));
-        self.new.push((id, next));
+        self.new.push((id, next, inverted));
         net
     }
 
@@ -72,8 +72,10 @@ impl<'c> Rebuild<'c> {
 
     fn finish(mut self) -> Circuit {
         let Rebuild { from, to, nets, registers, new } = &mut self;
-        for &mut (id, next) in new {
-            to.drive(id, nets[index(next)]);
+        for &mut (id, next, inverted) in new {
+            let next = nets[index(next)];
+            let next = if inverted { to.not(next) } else { next };
+            to.drive(id, next);
         }
         for ((_, register), copy) in from.registers.iter().zip(registers) {
             if let Some(copy) = *copy {
