@@ -14,6 +14,7 @@ mod place;
 mod ports;
 mod rebuild;
 mod saturate;
+mod share;
 
 use super::{Circuit, Design};
 use ports::Shown;
@@ -30,6 +31,7 @@ const PASSES: &[Pass] = &[
     narrow::narrow,
     ahead::compare_ahead,
     merge::merge,
+    share::share,
 ];
 
 /// Fits the modules of a design to their instances and makes every circuit small. Behaviour at the
