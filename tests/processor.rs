@@ -2,78 +2,15 @@
 
 mod common;
 
+use common::emulated::{compile, difference};
 use common::shrink::shrink;
 use common::{amount, relay};
 use fastrand::Rng;
 use hotrail::backend::processor::{
-    self, Bridge, Contact, Image, Machine, Operation, Tree, Word, decode, encode,
+    self, Bridge, Contact, Machine, Operation, Tree, Word, decode, encode,
 };
-use hotrail::diagnostic;
 use hotrail::eval::Evaluator;
-use hotrail::model::{Program, Role, VariableId};
-use hotrail::source::Source;
-use hotrail::types::Type;
-
-fn analyze(text: &str) -> Result<Program, String> {
-    let source = Source::new("test.ladder", text);
-    let (program, diagnostics) = hotrail::analyze(&source);
-    program.ok_or_else(|| {
-        diagnostics.iter().map(|found| diagnostic::render(found, &source, false)).collect()
-    })
-}
-
-fn compile(text: &str) -> Result<(Program, Image), String> {
-    let program = analyze(text)?;
-    match processor::compile(&program) {
-        Ok(image) => Ok((program, image)),
-        Err(findings) => {
-            let source = Source::new("test.ladder", text);
-            Err(findings.iter().map(|found| diagnostic::render(found, &source, false)).collect())
-        }
-    }
-}
-
-/// Drives both with the same inputs and ticks and says what differs.
-fn difference(program: &Program, image: &Image, scans: usize, mut random: Rng) -> Option<String> {
-    let mut evaluator = Evaluator::new(program);
-    let mut machine = Machine::new(&image.rom).expect("the compiler's image can be run");
-    let inputs: Vec<VariableId> = program.with_role(Role::Input).map(|(id, _)| id).collect();
-    let tick_one_in = random.u8(1..4);
-    for scan in 0..scans {
-        for &input in &inputs {
-            if random.u8(..3) > 0 {
-                continue;
-            }
-            if let Some(address) = image.layout.bit(input) {
-                let value = random.bool();
-                evaluator.drive(input, value.into());
-                machine.drive(address, value);
-            } else if let Some(register) = image.layout.register(input) {
-                let value = [-1, 0, 1, 2, 3, 5, 20_000][random.usize(..7)];
-                evaluator.drive(input, value);
-                machine.write_register(register, value as u16);
-            }
-        }
-        let tick = random.u8(..tick_one_in) == 0;
-        evaluator.scan(tick);
-        machine.scan(tick);
-        for (id, variable) in program.variables.iter() {
-            let shown = match variable.ty {
-                Type::Bool => image.layout.bit(id).map(|address| i64::from(machine.bit(address))),
-                _ => {
-                    let register = image.layout.register(id);
-                    register.map(|register| variable.ty.wrap(machine.register(register).into()))
-                }
-            };
-            let Some(shown) = shown else { continue };
-            let meant = evaluator.value(id);
-            if shown != meant {
-                return Some(format!("scan {scan}: {} is {meant}, here {shown}", variable.name));
-            }
-        }
-    }
-    None
-}
+use hotrail::model::{Role, VariableId};
 
 /// The paper's own order of contacts and its coil 316.
 #[test]
