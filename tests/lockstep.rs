@@ -5,23 +5,12 @@ mod common;
 use std::path::Path;
 
 use common::lockstep::difference;
-use common::shrink::shrink;
-use common::{amount, analyze, generate};
+use common::{amount, analyze, checks};
 use fastrand::Rng;
 
 #[test]
 fn random_programs() {
-    for seed in 0..amount("HOTRAIL_RANDOM_PROGRAMS", 1000) {
-        let name = format!("random_{seed}");
-        let text = generate::program(seed);
-        let program = analyze(&name, &text).unwrap_or_else(|findings| panic!("{findings}"));
-        let Some(wrong) = difference(&program, 200, Rng::with_seed(seed)) else { continue };
-        let fails = |text: &str| {
-            let program = analyze(&name, text);
-            program.is_ok_and(|p| difference(&p, 200, Rng::with_seed(seed)).is_some())
-        };
-        panic!("seed {seed}, {wrong}; the smallest such program:\n{}", shrink(&text, fails));
-    }
+    checks::CIRCUIT.hold(amount("HOTRAIL_RANDOM_PROGRAMS", 1000));
 }
 
 /// Programs that once showed a mistake. They are kept as texts, because a change to the generator

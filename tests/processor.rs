@@ -2,9 +2,8 @@
 
 mod common;
 
-use common::emulated::{compile, difference};
-use common::shrink::shrink;
-use common::{amount, relay};
+use common::emulated::compile;
+use common::{amount, checks};
 use fastrand::Rng;
 use hotrail::backend::processor::{
     self, Bridge, Contact, Machine, Operation, Tree, Word, decode, encode,
@@ -223,24 +222,8 @@ fn the_words_of_a_tree_tell_the_tree() {
 
 #[test]
 fn random_programs() {
-    let (programs, mut ran) = (amount("HOTRAIL_RANDOM_PROGRAMS", 1000), 0);
-    for seed in 0..programs {
-        let text = relay::program(seed);
-        let (program, image) = match compile(&text) {
-            Ok(compiled) => compiled,
-            Err(wrong) if wrong.contains("E0802") => continue,
-            Err(wrong) => panic!("{text}\n{wrong}"),
-        };
-        ran += 1;
-        let Some(wrong) = difference(&program, &image, 200, Rng::with_seed(seed)) else { continue };
-        let fails = |text: &str| {
-            compile(text).is_ok_and(|(program, image)| {
-                difference(&program, &image, 200, Rng::with_seed(seed)).is_some()
-            })
-        };
-        panic!("seed {seed}, {wrong}; the smallest such program:\n{}", shrink(&text, fails));
-    }
-    assert!(ran * 5 > programs * 4, "{ran} of {programs} fit into the code memory");
+    let tally = checks::PROCESSOR.hold(amount("HOTRAIL_RANDOM_PROGRAMS", 1000));
+    assert!(tally.skipped * 4 < tally.programs, "{} do not fit", tally.skipped);
 }
 
 /// The function paper's example: three registers, 0 enters at the low end.

@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::Command;
 
 use common::recorded::with_recorded_test;
-use common::{amount, examples, generate, require_tool, run};
+use common::{amount, checks, examples, generate, require_tool, run};
 use fastrand::Rng;
 use hotrail::source::Source;
 
@@ -205,4 +205,11 @@ fn random_programs_run_in_simulators_as_in_the_evaluator() {
         build(Path::new(&file), "sync-high", folder.path());
         check_quietly(folder.path(), &name);
     }
+}
+
+#[test]
+fn many_random_programs_run_at_once_as_in_the_evaluator() {
+    let programs = 10 * amount("HOTRAIL_RANDOM_SIMULATIONS", 5);
+    checks::ICARUS.hold(programs);
+    checks::GHDL.hold(programs);
 }

@@ -7,7 +7,7 @@ use hotrail::expand;
 use hotrail::model::{Program, Role, Variable, VariableId};
 
 /// Every variable that a program can name but its ports.
-fn inner_variables(program: &Program) -> Vec<VariableId> {
+pub fn inner_variables(program: &Program) -> Vec<VariableId> {
     let is_inner = |variable: &Variable| {
         program.is_named(variable) && !matches!(variable.role, Role::Input | Role::Output)
     };

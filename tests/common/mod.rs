@@ -2,6 +2,8 @@
 #![allow(dead_code, reason = "each test file uses a part of it")]
 
 pub mod bench;
+pub mod bulk;
+pub mod checks;
 pub mod designs;
 pub mod emulated;
 pub mod folder;

@@ -11,6 +11,8 @@ use hotrail::model::{Program, Role, VariableId};
 use hotrail::source::Source;
 use hotrail::syntax::ast::{ArgumentValue, Element, ElementKind, File, Item, Rung, Series};
 
+use super::analyze;
+
 /// What a new name begins with. No other program has such names.
 const NEW: &str = "changed_";
 
@@ -44,14 +46,29 @@ pub fn changed(name: &str, text: &str, change: usize, random: &mut Rng) -> Optio
     Some(text)
 }
 
+/// Makes a change in a program and runs both: how many scans they agreed, or nothing if the program
+/// has no place for the change.
+///
+/// # Errors
+/// What differs, and the changed program.
+///
+/// # Panics
+/// If the changed program is wrong.
+pub fn check(name: &str, text: &str, change: usize, seed: u64) -> Result<Option<u64>, String> {
+    const SCANS: usize = 100;
+    let mut random = Rng::with_seed(seed);
+    let Some(changed) = changed(name, text, change, &mut random) else { return Ok(None) };
+    let program = analyze(name, text)?;
+    let other = analyze(name, &changed).unwrap_or_else(|findings| panic!("{changed}{findings}"));
+    match difference(&program, &other, SCANS, random) {
+        None => Ok(Some(SCANS as u64)),
+        Some(wrong) => Err(format!("{wrong}\n{changed}")),
+    }
+}
+
 /// Runs a program and one that shall mean the same, whose variables may bear new names, for that many
 /// scans on random inputs and ticks; says what differs.
-pub fn difference(
-    program: &Program,
-    other: &Program,
-    scans: usize,
-    mut random: Rng,
-) -> Option<String> {
+fn difference(program: &Program, other: &Program, scans: usize, mut random: Rng) -> Option<String> {
     let pairs: Vec<(VariableId, VariableId)> = program
         .variables
         .iter()
