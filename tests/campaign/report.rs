@@ -25,7 +25,7 @@ pub fn print(logs: &[PathBuf]) -> anyhow::Result<bool> {
     for record in records {
         by_check.entry(record.check.clone()).or_default().push(record);
     }
-    println!("| what holds | programs | scans | failed | hours on a core |");
+    println!("| what holds | programs | scans | failed | minutes on a core |");
     println!("|---|---|---|---|---|");
     let mut good = true;
     let mut below = Vec::new();
@@ -37,8 +37,8 @@ pub fn print(logs: &[PathBuf]) -> anyhow::Result<bool> {
         let sum = |count: fn(&Record) -> u64| records.iter().map(count).sum::<u64>();
         let (programs, scans) = (sum(|record| record.programs), sum(|record| record.scans));
         let failed = sum(|record| record.failures.len() as u64);
-        let hours = records.iter().map(|record| record.seconds).sum::<f64>() / 3600.0;
-        println!("| {shows} | {programs} | {scans} | {failed} | {hours:.2} |");
+        let minutes = records.iter().map(|record| record.seconds).sum::<f64>() / 60.0;
+        println!("| {shows} | {programs} | {scans} | {failed} | {minutes:.1} |");
         let mut next = 0;
         for record in &records {
             if record.first > next {
