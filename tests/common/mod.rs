@@ -14,6 +14,7 @@ pub mod proof;
 pub mod recorded;
 pub mod relay;
 pub mod shrink;
+pub mod targets;
 pub mod variants;
 
 use std::path::{Path, PathBuf};
