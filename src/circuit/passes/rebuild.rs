@@ -109,6 +109,7 @@ pub fn rebuild(
     let mut to = Circuit::new(&from.name);
     to.comment.clone_from(&from.comment);
     to.inputs.clone_from(&from.inputs);
+    to.vectors.clone_from(&from.vectors);
     to.instances = from.instances.clone();
     let (nets, registers) = (Vec::with_capacity(from.len()), vec![None; from.registers.len()]);
     let mut rebuild = Rebuild { from, to, nets, registers, new: Vec::new() };
