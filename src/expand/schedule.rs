@@ -82,6 +82,13 @@ impl Sequence {
         let rungs = schedule.stages(program, equations)?;
         let stages = rungs.iter().max().map_or(1, |last| last + 1);
         circuit.has_scan_ports = true;
+        let plural = if stages == 1 { "" } else { "s" };
+        circuit.comment.push(format!(
+            "A scan takes {stages} clock{plural}, one for each {}. It starts where scan_start is 1, and \
+             shows its outputs",
+            schedule.word()
+        ));
+        circuit.comment.push("after the clock in which scan_done is 1.".to_owned());
         let start = circuit.input(SCAN_START, 1);
         circuit.section(format!("the {}s of a scan, one after the other", schedule.word()), 0);
         let mut enables = vec![start];
