@@ -8,6 +8,7 @@ use std::path::Path;
 use common::shrink::shrink;
 use common::{amount, generate};
 use fastrand::Rng;
+use hotrail::backend::hdl;
 use hotrail::circuit::Simulator;
 use hotrail::diagnostic;
 use hotrail::equations;
@@ -193,4 +194,53 @@ fn examples() {
             assert_eq!(differences(&program, 400, seed), None, "{name}, inputs {seed}");
         }
     }
+}
+
+/// What stands in a fenced block of the page behind a line.
+fn block<'t>(page: &'t str, line: &str) -> &'t str {
+    let (_, behind) = page.split_once(line).unwrap_or_else(|| panic!("no {line}"));
+    let (_, block) = behind.split_once('\n').expect("a line has an end");
+    block.split_once("\n```").expect("a block has an end").0
+}
+
+/// The timing diagram of the page is that of the program above it.
+#[test]
+fn the_page_is_true() {
+    let page = std::fs::read_to_string("docs/schedules.md").unwrap();
+    let program = analyze("belt.ladder", block(&page, "```ladder")).unwrap();
+    let diagram = block(&page, "<!-- timing of belt, levels -->\n```text");
+    let options = expand::Options { schedule: Schedule::Levels, ..expand::Options::default() };
+    let mut circuit = Simulator::new(&hotrail::compile(&program, &options));
+    let rows: Vec<(&str, Vec<u64>)> = diagram
+        .lines()
+        .map(|line| {
+            let (name, levels) = line.split_once(' ').expect("a row has a name");
+            (name, levels.trim().chars().map(|c| u64::from(c == '#')).collect())
+        })
+        .collect();
+    let inputs: Vec<&[u64]> = circuit
+        .circuit()
+        .inputs
+        .iter()
+        .map(|input| &*rows.iter().find(|(name, _)| *name == &*input.name).unwrap().1)
+        .collect();
+    let outputs: Vec<String> =
+        circuit.circuit().outputs.iter().map(|output| output.name.to_string()).collect();
+    let mut shown = vec![String::new(); outputs.len()];
+    for clock in 0..inputs[0].len() {
+        let row: Vec<u64> = inputs.iter().map(|levels| levels[clock]).collect();
+        circuit.settle(&row);
+        for (port, shown) in shown.iter_mut().enumerate() {
+            shown.push(if circuit.output(port) == 1 { '#' } else { '_' });
+        }
+        circuit.clock();
+    }
+    for (name, shown) in outputs.iter().zip(shown) {
+        let line = format!("{name:<12}{shown}");
+        assert!(diagram.contains(&line), "the page does not show\n{line}");
+    }
+    let design = hotrail::compile(&program, &options);
+    let text = hdl::print(&design, hdl::Language::Verilog, &hdl::Options::default());
+    let process = block(&page, "```verilog");
+    assert!(text.contains(process), "no\n{process}\nin\n{text}");
 }
