@@ -13,6 +13,7 @@ mod lints;
 mod new;
 mod report;
 mod rom;
+mod schedule;
 mod sim;
 mod simulators;
 mod table;

@@ -48,7 +48,7 @@ struct Fast {
 impl Fast {
     fn new(program: &Program, mut random: Rng) -> Fast {
         let design = |observe| {
-            let options = expand::Options { source: String::new(), observe };
+            let options = expand::Options { observe, ..expand::Options::default() };
             hotrail::compile(program, &options)
         };
         let (all, shipped) = (design(inner_variables(program)), design(Vec::new()));
@@ -113,7 +113,7 @@ impl Fast {
 /// says what differs.
 pub fn difference(program: &Program, scans: usize, mut random: Rng) -> Option<String> {
     let circuit = |observe| {
-        let options = expand::Options { source: String::new(), observe };
+        let options = expand::Options { observe, ..expand::Options::default() };
         Simulator::new(&hotrail::compile(program, &options))
     };
     // What is shipped has lost what no output needs; the other shows all that has a name.

@@ -79,7 +79,7 @@ fn difference(program: &Program, other: &Program, scans: usize, mut random: Rng)
         |&&(id, _): &&(VariableId, VariableId)| program.variables[id].role == Role::Input;
     let is_port = |id: VariableId| matches!(other.variables[id].role, Role::Input | Role::Output);
     let observe = pairs.iter().map(|&(_, id)| id).filter(|&id| !is_port(id)).collect();
-    let options = expand::Options { source: String::new(), observe };
+    let options = expand::Options { observe, ..expand::Options::default() };
     let mut circuit = Simulator::new(&hotrail::compile(other, &options));
     let (mut before, mut after) = (Evaluator::new(program), Evaluator::new(other));
     for scan in 0..scans {

@@ -88,7 +88,8 @@ impl Arrival {
     fn register(&self, rebuild: &mut Rebuild<'_>) -> Net {
         let register = &rebuild.from.registers[self.register];
         let name = format!("{}_is_{}", register.name, self.value);
-        rebuild.new_register(&name, register.reset == self.value, self.next)
+        let reset = register.reset == self.value;
+        rebuild.new_register(&name, reset, self.next, self.register)
     }
 }
 
