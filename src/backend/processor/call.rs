@@ -1,7 +1,8 @@
 //! Blocks: latches and edges as contacts, timers, counters and drums as functions of the processor.
 
-use super::compile::{Compiler, Done, Power, Reported};
+use super::compile::{Compiler, Done, Reported};
 use super::layout::UnitClass;
+use super::power::Power;
 use super::tree::Tree;
 use super::word::{Address, FIRST_COUNT, FIRST_DRUM, Operation, Prefix, TimerType, Word};
 use crate::model::{

@@ -1,6 +1,7 @@
 //! Numbers and words in registers, and coils and contacts on their bits.
 
-use super::compile::{Compiler, Done, Power};
+use super::compile::{Compiler, Done};
+use super::power::Power;
 use super::tree::{Contact, Tree};
 use super::word::{Address, Operation, Prefix};
 use crate::model::{Base, CoilAction, Place, VariableId};
