@@ -15,6 +15,7 @@ mod memory;
 mod net;
 mod power;
 mod register;
+mod reset;
 mod rom;
 mod rung;
 mod runner;

@@ -90,14 +90,8 @@ impl Compiler<'_> {
         operation: Operation,
         coil: Address,
     ) -> Done<Power> {
-        let same = match power {
-            Power::Drawn(tree) => {
-                self.circuit(&tree)?;
-                tree.single()
-            }
-            Power::InHand(same) => same,
-        };
-        self.word(Word::Output { operation, coil });
+        let same = self.worked_out(power)?;
+        self.operation(operation, coil);
         let same = same.filter(|contact| contact.address != coil);
         let written = |negated| Some(Contact { address: coil, negated });
         Ok(Power::InHand(match operation {
@@ -105,5 +99,20 @@ impl Compiler<'_> {
             Operation::Inverted => same.or(written(true)),
             _ => same,
         }))
+    }
+    /// Works the power out where it is only drawn.
+    pub(super) fn in_hand(&mut self, power: Power) -> Done<Power> {
+        self.worked_out(power).map(Power::InHand)
+    }
+
+    /// The same, as a contact of that value if there is one.
+    fn worked_out(&mut self, power: Power) -> Done<Option<Contact>> {
+        match power {
+            Power::Drawn(tree) => {
+                self.circuit(&tree)?;
+                Ok(tree.single())
+            }
+            Power::InHand(same) => Ok(same),
+        }
     }
 }
