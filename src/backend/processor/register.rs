@@ -48,8 +48,12 @@ impl Compiler<'_> {
         operation: Operation,
     ) -> Done<Address> {
         let span = self.instance(call.instance).span;
-        let register = self.number(self.member(call.instance, "REG0"), span)?;
+        let first = self.number(self.member(call.instance, "REG0"), span)?;
         let words = call.shape.list("REG").len() as u16;
+        let register = match operation {
+            Operation::ShiftLeft => first,
+            _ => first + words - 1,
+        };
         let unit = self.layout.unit(UnitClass::Shift, span);
         let unit = self.limit(unit)?;
         let coil = self.output_flag(call.instance, "Q")?;
