@@ -65,7 +65,8 @@ fn first_difference(meant: &str, shown: &str) -> Option<String> {
 fn subject(seed: u64, scans: usize) -> Subject {
     let text = generate::program(seed);
     let program = analyze("random.ladder", &text).unwrap_or_else(|findings| panic!("{findings}"));
-    let options = expand::Options { source: String::new(), observe: inner_variables(&program) };
+    let options =
+        expand::Options { observe: inner_variables(&program), ..expand::Options::default() };
     let design = hotrail::compile(&program, &options);
     let outputs: Vec<VariableId> = design
         .top()

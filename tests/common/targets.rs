@@ -91,7 +91,9 @@ pub fn stimulus(text: &str) {
     let program = program.expect("it is sound");
     let source = Source::new("fuzz.csv", text);
     match Stimulus::parse(&program, &source) {
-        Ok(stimulus) => (0..stimulus.len()).for_each(|scan| assert!(stimulus.row(scan).drives.len() <= 8)),
+        Ok(stimulus) => {
+            (0..stimulus.len()).for_each(|scan| assert!(stimulus.row(scan).drives.len() <= 8))
+        }
         Err(findings) => render(&source, &findings),
     }
 }
