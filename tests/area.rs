@@ -274,3 +274,14 @@ fn equal_edge_memories_are_one_register() {
     let text = "ladder t input a output y, z rung rise(a) (y) rung fall(a) (z)";
     assert_eq!(registers(text).len(), 3);
 }
+
+#[test]
+fn an_array_stays_one_port_beside_a_block() {
+    let text = "ladder t input a input w : WORD[4] output y : WORD[2] output z
+        rung a t1:TON(PT := 50ms) (z) rung { y[0] := w[3] } rung { y[1] := w[2] }";
+    let (program, findings) = hotrail::analyze(&Source::new("small.ladder", text));
+    let program = program.unwrap_or_else(|| panic!("{findings:?}"));
+    let design = hotrail::compile(&program, &expand::Options::default());
+    let vectors: Vec<&str> = design.top().vectors.iter().map(|one| &*one.name).collect();
+    assert_eq!(vectors, ["w", "y"]);
+}

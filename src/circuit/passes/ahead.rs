@@ -112,7 +112,7 @@ impl Arrival {
             Test::Is(number) => format!("{}_is_{number}", register.name),
             Test::AtLeast(number) => format!("{}_at_least_{number}", register.name),
         };
-        rebuild.new_register(&name, test.of(register.reset), self.next, !self.is_yes)
+        rebuild.new_register(&name, test.of(register.reset), self.next, !self.is_yes, self.register)
     }
 }
 
