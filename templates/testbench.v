@@ -37,7 +37,7 @@ module {{ bench.name }};
 {%- endfor %}
   );
 {% endif %}
-{% if bench.has_scans %}
+{%- if bench.has_scans %}
   // A scan is over when the core says so. None to three clocks without a scan come before it.
   task scan(input integer times, input with_tick);
     begin
