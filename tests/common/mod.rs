@@ -13,6 +13,7 @@ pub mod lockstep;
 pub mod proof;
 pub mod recorded;
 pub mod relay;
+pub mod scheduled;
 pub mod shrink;
 pub mod targets;
 pub mod variants;
