@@ -6,6 +6,7 @@ pub mod designs;
 pub mod folder;
 pub mod generate;
 pub mod interpreter;
+pub mod lp;
 pub mod proof;
 pub mod relay;
 pub mod shrink;
