@@ -9,6 +9,7 @@ pub mod emulated;
 pub mod folder;
 pub mod generate;
 pub mod interpreter;
+pub mod lp;
 pub mod lockstep;
 pub mod proof;
 pub mod recorded;
