@@ -11,6 +11,7 @@ mod explain;
 mod fmt;
 mod lints;
 mod new;
+mod order;
 mod report;
 mod rom;
 mod schedule;
