@@ -100,6 +100,11 @@ impl Drawing {
         drawing
     }
 
+    /// Says which moment is shown.
+    pub fn say(&mut self, moment: &str) {
+        self.moment = Some(words::harmless(moment));
+    }
+
     /// Shows another scan, of the same program.
     pub fn show(&mut self, flow: &Flow) {
         for rung in &mut self.rungs {

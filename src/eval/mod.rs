@@ -12,7 +12,9 @@ mod stimulus;
 mod why;
 
 pub use evaluator::Evaluator;
-pub use expectation::{Failure, conducts, explain, variables_of, variables_of_tests};
+pub use expectation::{
+    Failure, conducts, explain, variables_of, variables_of_test, variables_of_tests,
+};
 pub use flow::{Flow, Reading, Seen, value_text};
 pub use machine::{Machine, Row};
 pub use runner::{Outcome, run_test, run_test_on};

@@ -114,7 +114,9 @@ impl Timing {
         let about = self.about();
         let mut y = MARGIN + 16.0;
         let mut heading = vec![("head", y, self.name.clone())];
-        let notes = self.title.iter().map(|title| ("note", title)).chain([("title", &about)]);
+        let title = self.title.iter().map(|title| ("note", title));
+        let note = self.note.iter().map(|note| ("title", note));
+        let notes = title.chain(note).chain([("note", &about)]);
         for (class, note) in notes {
             for line in lines(note, 100) {
                 y += 20.0;
@@ -253,6 +255,7 @@ impl Timing {
             Number { x: -10.0, y: y + 36.0, class: "axis e", text: "time".to_owned() },
         ];
         let mut free = [0.0_f32; 2];
+        let mut before = String::new();
         for (index, (stretch, &start)) in ruler.stretches.iter().zip(ruler.starts).enumerate() {
             let marks = if stretch.has_gap() { 1 } else { stretch.scans.len() };
             for mark in 0..marks {
@@ -270,6 +273,10 @@ impl Timing {
             let time = quantity::time_text(ticks * i128::from(self.tick_ns));
             for (row, text) in [stretch.scans.start.to_string(), time].into_iter().enumerate() {
                 let half = width(&text) as f32 * NUMBER / 2.0;
+                // Without the tick time stands still.
+                if row == 1 && std::mem::replace(&mut before, text.clone()) == text {
+                    continue;
+                }
                 if index == 0 || start - half > free[row] {
                     free[row] = start + half + 6.0;
                     let y = y + 20.0 + 16.0 * row as f32;
