@@ -8,7 +8,8 @@ use clap::ValueEnum;
 use serde_json::{Value, json};
 
 use hotrail::backend::hdl::Harmless;
-use hotrail::eval::{Cause, Place, Power, Reason, Subject, Why};
+use hotrail::draw::{self, Drawing, Glyphs};
+use hotrail::eval::{Cause, Flow, Place, Power, Reason, Subject, Why};
 use hotrail::lint;
 use hotrail::quantity;
 use hotrail::types::Type;
@@ -54,7 +55,8 @@ blocks and scans to the inputs that decided.
 Examples:
   hotrail why conveyor.ladder stimulus.csv motor
   hotrail why conveyor.ladder --test 'the belt stops' motor
-  hotrail why conveyor.ladder stimulus.csv motor --at 120 --format json";
+  hotrail why conveyor.ladder stimulus.csv motor --at 120 --format json
+  hotrail why conveyor.ladder stimulus.csv motor --format svg > why.svg";
 
 #[derive(ValueEnum, Clone, Copy, PartialEq, Eq)]
 enum Format {
@@ -62,6 +64,10 @@ enum Format {
     Text,
     /// One JSON object
     Json,
+    /// The rungs that decided, drawn with characters
+    Drawing,
+    /// The rungs that decided, as an SVG picture
+    Svg,
 }
 
 pub fn run(options: &Options, report: &mut Report) -> anyhow::Result<Verdict> {
@@ -92,7 +98,18 @@ pub fn run(options: &Options, report: &mut Report) -> anyhow::Result<Verdict> {
     let cause = why.explain(variable, scan, options.depth.into());
     let printer = Printer { tick_ns: program.tick_ns };
     let mut text = String::new();
+    let drawing = || {
+        let flow = Flow::at_reset(&program);
+        let drawing = Drawing::with_flow(&source, &draw::Options::default(), &flow);
+        let mut drawing = drawing.of_explanation(&why.shown(&cause));
+        drawing.say(&format!("why {}{}", printer.statement(&cause), printer.reason(&cause)));
+        drawing
+    };
     match options.format {
+        Format::Drawing => {
+            text = pictures::terminal_text(&drawing(), Glyphs::Unicode, report);
+        }
+        Format::Svg => text = drawing().svg(),
         Format::Text => printer.text(&cause, 0, &mut text),
         Format::Json => {
             text = serde_json::to_string_pretty(&printer.json(&cause))?;

@@ -20,4 +20,4 @@ pub use machine::{Machine, Row};
 pub use runner::{Outcome, run_test, run_test_on};
 #[cfg(feature = "cli")]
 pub use stimulus::{Stimulus, TICK};
-pub use why::{Cause, Place, Power, Reason, Subject, Why};
+pub use why::{Cause, Looked, Place, Power, Reason, ShownRung, Subject, Why};

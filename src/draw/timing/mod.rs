@@ -4,6 +4,7 @@
 //! same step in every scan, as the elapsed time of a timer does, counts as nothing that happens.
 
 mod picture;
+mod ruler;
 
 use super::words::{harmless, shortened};
 use crate::eval::value_text;

@@ -1,11 +1,11 @@
 //! A timing diagram as SVG. The scans between two events are a stretch; stretches stand beside each
 //! other in strips, as many as fit.
 
-use std::fmt::Write;
 use std::ops::Range;
 
 use askama::Template;
 
+use super::ruler::{InStrip, MOST_SCANS, Ruler, SCAN, Stretch, parts, write};
 use super::{Lane, Segment, Timing};
 use crate::draw::svg::MADE_BY;
 use crate::draw::words::{lines, width};
@@ -14,12 +14,6 @@ use crate::types::Type;
 
 /// Around the whole picture, in pixels as everything here.
 const MARGIN: f32 = 24.0;
-/// Width of a scan.
-const SCAN: f32 = 26.0;
-/// Scans of a stretch that are drawn; a longer one has a gap.
-const MOST_SCANS: usize = 6;
-/// Widest strip without its names.
-const STRIP: f32 = 940.0;
 /// From lane to lane.
 const LANE: f32 = 32.0;
 /// Middle of a lane.
@@ -84,24 +78,6 @@ struct Number {
     y: f32,
     class: &'static str,
     text: String,
-}
-
-/// The scans between two events.
-struct Stretch {
-    scans: Range<usize>,
-    width: f32,
-}
-
-impl Stretch {
-    fn has_gap(&self) -> bool {
-        self.scans.len() > MOST_SCANS
-    }
-
-    /// Where its gap is, from its start.
-    fn gap(&self) -> Range<f32> {
-        let end = self.width - SCAN / 2.0;
-        if self.has_gap() { end - 1.5 * SCAN..end } else { end..end }
-    }
 }
 
 impl Timing {
@@ -304,71 +280,6 @@ impl Timing {
     }
 }
 
-/// Which stretches stand in each strip.
-fn parts(stretches: &[Stretch]) -> Vec<Range<usize>> {
-    let mut parts: Vec<Range<usize>> = Vec::new();
-    let mut used = 0.0;
-    for (index, stretch) in stretches.iter().enumerate() {
-        match parts.last_mut() {
-            Some(part) if used + stretch.width <= STRIP => part.end = index + 1,
-            _ => {
-                parts.push(index..index + 1);
-                used = 0.0;
-            }
-        }
-        used += stretch.width;
-    }
-    parts
-}
-
-/// Where the stretches of a strip are.
-struct Ruler<'s> {
-    stretches: &'s [Stretch],
-    starts: &'s [f32],
-    width: f32,
-}
-
-/// The part of a segment that stands in a strip.
-struct InStrip {
-    x: Range<f32>,
-    /// It begins here, not in a strip before.
-    begins: bool,
-    /// Another one follows here.
-    ends: bool,
-}
-
-impl Ruler<'_> {
-    fn piece(&self, segment: &Segment, drawn: usize) -> Option<InStrip> {
-        let (first, last) = (self.stretches.first()?, self.stretches.last()?);
-        let end = (segment.start + segment.scans).min(drawn);
-        if end <= first.scans.start || segment.start >= last.scans.end {
-            return None;
-        }
-        let at = |scan: usize| {
-            let index = self.stretches.partition_point(|stretch| stretch.scans.start < scan);
-            self.starts.get(index).copied().unwrap_or(self.width)
-        };
-        let x = at(segment.start.max(first.scans.start))..at(end);
-        let begins = segment.start >= first.scans.start && segment.start > 0;
-        Some(InStrip { x, begins, ends: end < last.scans.end })
-    }
-
-    /// A line along a row, where no scans are left out and where some are.
-    fn line(&self, x: Range<f32>, y: f32, line: &mut String, gaps: &mut String) {
-        let mut from = x.start;
-        for (stretch, start) in self.stretches.iter().zip(self.starts) {
-            let gap = start + stretch.gap().start..start + stretch.gap().end;
-            if !stretch.has_gap() || gap.start < from || gap.end > x.end {
-                continue;
-            }
-            write(line, format_args!("M{from} {y}H{}", gap.start));
-            write(gaps, format_args!("M{} {y}H{}", gap.start, gap.end));
-            from = gap.end;
-        }
-        write(line, format_args!("M{from} {y}H{}", x.end));
-    }
-}
-
 impl Wave<'_> {
     /// A bit that is on or off.
     fn level(&mut self, ruler: &Ruler, piece: &InStrip, is_on: bool, changes: bool) {
@@ -406,8 +317,4 @@ impl Wave<'_> {
             self.values.push(((start + end) / 2.0, text));
         }
     }
-}
-
-fn write(text: &mut String, arguments: std::fmt::Arguments) {
-    text.write_fmt(arguments).expect("writing to a string does not fail");
 }
