@@ -14,6 +14,7 @@ mod new;
 mod pictures;
 mod report;
 mod rom;
+mod schedule;
 mod sim;
 mod simulators;
 mod table;
