@@ -7,7 +7,7 @@ use anyhow::{Context, bail};
 use clap::ValueEnum;
 use indicatif::{ProgressBar, ProgressStyle};
 
-use hotrail::backend::Vcd;
+use hotrail::backend::{CircuitRunner, Vcd};
 use hotrail::eval::{Evaluator, Machine, Stimulus};
 use hotrail::files::NewFile;
 use hotrail::lint;
@@ -27,6 +27,9 @@ pub struct Options {
     /// standard input. Without it all inputs stay 0
     #[arg(required_unless_present = "scans")]
     stimulus: Option<PathBuf>,
+    /// What runs the program. Both print the same
+    #[arg(long, value_enum, default_value_t = Executor::Evaluator)]
+    on: Executor,
     /// Run that many scans; behind the stimulus's last row its values are held
     #[arg(long, value_name = "N")]
     scans: Option<usize>,
@@ -49,7 +52,16 @@ tick. An empty cell keeps the value of the row before.
 Examples:
   hotrail sim conveyor.ladder stimulus.csv
   hotrail sim conveyor.ladder - --watch motor,delay.ET --format jsonl < stimulus.csv
-  hotrail sim conveyor.ladder stimulus.csv --scans 10000 --vcd conveyor.vcd";
+  hotrail sim conveyor.ladder stimulus.csv --scans 10000 --vcd conveyor.vcd
+  hotrail sim conveyor.ladder day.csv --on circuit > day.out";
+
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq)]
+enum Executor {
+    /// The reference evaluator, which walks the rungs: the meaning of the program
+    Evaluator,
+    /// The circuit that the hardware is printed from, simulated: faster in long runs
+    Circuit,
+}
 
 #[derive(ValueEnum, Clone, Copy, PartialEq, Eq)]
 pub enum Format {
@@ -77,23 +89,40 @@ pub fn run(options: &Options, report: &mut Report) -> anyhow::Result<Verdict> {
         return Ok(Verdict::Bad);
     };
     let watched = watched(&program, &options.watch)?;
+    let shown = Shown::new(&program, watched, options.vcd.is_some());
+    let sink = Sink::new(&program, &shown, options)?;
     let scans = options.scans.unwrap_or(stimulus.len());
-    let mut sink = Sink::new(&program, watched.as_deref(), options)?;
-    let progress = progress(scans);
-    let mut machine = Evaluator::new(&program);
-    for scan in 0..scans {
-        let row = stimulus.row(scan);
-        row.drives.iter().for_each(|&(input, value)| machine.drive(input, value));
-        Machine::scan(&mut machine, row.tick);
-        sink.scan(row.tick, &machine);
-        if sink.is_full() {
-            sink.flush(report)?;
-            progress.set_position(scan as u64);
-        }
+    let run = Run { stimulus: &stimulus, scans, report };
+    match options.on {
+        Executor::Evaluator => run.on(Evaluator::new(&program), sink)?,
+        Executor::Circuit => run.on(CircuitRunner::new(&program, &shown.all()), sink)?,
     }
-    progress.finish_and_clear();
-    sink.finish(report)?;
     Ok(Verdict::Good)
+}
+
+/// What is to be run.
+struct Run<'a> {
+    stimulus: &'a Stimulus,
+    scans: usize,
+    report: &'a Report,
+}
+
+impl Run<'_> {
+    fn on(&self, mut machine: impl Machine, mut sink: Sink) -> anyhow::Result<()> {
+        let progress = progress(self.scans);
+        for scan in 0..self.scans {
+            let row = self.stimulus.row(scan);
+            row.drives.iter().for_each(|&(input, value)| machine.drive(input, value));
+            machine.scan(row.tick);
+            sink.scan(row.tick, &machine);
+            if sink.is_full() {
+                sink.flush(self.report)?;
+                progress.set_position(scan as u64);
+            }
+        }
+        progress.finish_and_clear();
+        sink.finish(self.report)
+    }
 }
 
 /// Reads a stimulus, or reports what is wrong with it. Without a file it has no rows.
@@ -149,6 +178,34 @@ fn progress(scans: usize) -> ProgressBar {
     ProgressBar::new(scans as u64).with_style(style)
 }
 
+/// The variables that are to be seen.
+struct Shown {
+    /// Those of the table.
+    columns: Vec<VariableId>,
+    /// Those of the dump, if there is to be one.
+    dumped: Vec<VariableId>,
+}
+
+impl Shown {
+    fn new(program: &Program, watched: Option<Vec<VariableId>>, with_dump: bool) -> Shown {
+        let ports = || {
+            let inputs = program.with_role(Role::Input);
+            inputs.chain(program.with_role(Role::Output)).map(|(id, _)| id).collect()
+        };
+        let named = || program.named_variables().map(|(id, _)| id).collect();
+        let dumped = match (with_dump, &watched) {
+            (false, _) => Vec::new(),
+            (true, Some(watched)) => watched.clone(),
+            (true, None) => named(),
+        };
+        Shown { columns: watched.unwrap_or_else(ports), dumped }
+    }
+
+    fn all(&self) -> Vec<VariableId> {
+        [&self.columns[..], &self.dumped[..]].concat()
+    }
+}
+
 /// Where the scans go.
 struct Sink {
     table: Option<Table>,
@@ -158,29 +215,19 @@ struct Sink {
 }
 
 impl Sink {
-    fn new(
-        program: &Program,
-        watched: Option<&[VariableId]>,
-        options: &Options,
-    ) -> anyhow::Result<Sink> {
-        let ports = || {
-            let inputs = program.with_role(Role::Input);
-            inputs.chain(program.with_role(Role::Output)).map(|(id, _)| id).collect()
-        };
-        let all = || program.named_variables().map(|(id, _)| id).collect();
+    fn new(program: &Program, shown: &Shown, options: &Options) -> anyhow::Result<Sink> {
         let to_stdout = options.vcd.as_ref().is_some_and(|path| path.as_os_str() == "-");
-        let columns = watched.map_or_else(ports, <[VariableId]>::to_vec);
         let dump = match &options.vcd {
             None => None,
             Some(path) => {
                 let sources = [Some(options.file.clone()), options.stimulus.clone()];
                 let sources: Vec<PathBuf> = sources.into_iter().flatten().collect();
                 let file = (!to_stdout).then(|| NewFile::create(path, &sources)).transpose()?;
-                let shown: Vec<VariableId> = watched.map_or_else(all, <[VariableId]>::to_vec);
-                Some((Vcd::new(program, &shown), file))
+                Some((Vcd::new(program, &shown.dumped), file))
             }
         };
-        let table = (!to_stdout).then(|| Table::new(program, columns, options.format));
+        let table =
+            (!to_stdout).then(|| Table::new(program, shown.columns.clone(), options.format));
         Ok(Sink { table, dump, piece: Vec::new() })
     }
 
