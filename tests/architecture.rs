@@ -15,11 +15,11 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("circuit", &["index"]),
     ("blocks", &["types", "quantity", "circuit"]),
     ("model", &["index", "source", "types", "syntax", "blocks"]),
-    ("draw", &["source", "syntax", "blocks"]),
     ("check", &["source", "types", "quantity", "diagnostic", "syntax", "blocks", "model"]),
     ("equations", &["index", "types", "blocks", "model"]),
     ("lint", &["index", "source", "types", "diagnostic", "syntax", "blocks", "model", "equations"]),
     ("eval", &["index", "source", "types", "quantity", "diagnostic", "blocks", "model"]),
+    ("draw", &["source", "syntax", "blocks", "eval"]),
     ("expand", &["index", "types", "circuit", "blocks", "model", "equations"]),
     (
         "backend",

@@ -204,7 +204,8 @@ impl<'d> View<'d> {
                 self.references.push(Reference::of(references, x, middle(at.y) - up + BASE));
                 Ok(())
             }
-            Shape::Arrow { at, both_ways } => {
+            Shape::Reading { .. } => Ok(()),
+            Shape::Arrow { at, both_ways, .. } => {
                 let (x, y) = place(at);
                 let (tip, tail, up) = (x + 4.0, x - 4.0, y - 4.0);
                 write!(self.solids, "M{tip} {y}L{tail} {up}V{}Z", y + 4.0)?;
@@ -214,7 +215,7 @@ impl<'d> View<'d> {
                 }
                 Ok(())
             }
-            Shape::Dot(at) => {
+            Shape::Dot { at, .. } => {
                 let (x, y) = place(at);
                 write!(self.solids, "M{} {y}a3 3 0 1 0 6 0a3 3 0 1 0 -6 0Z", x - 3.0)
             }
