@@ -35,6 +35,7 @@ pub use references::{References, Run};
 pub use rung::Rung;
 pub use svg::bears_header;
 pub use text::{Glyphs, Line, Look, Piece};
+pub use words::harmless;
 
 use crate::eval::Flow;
 use crate::source::Source;
