@@ -49,36 +49,52 @@ begin
 {%- for (part, value) in view.outputs() %}
   {{ part.vhdl() }} <={{ value }};
 {%- endfor %}
-{%- if view.has_registers() && view.is_async() %}
+{%- for process in view.processes() %}
+{%- if view.is_async() %}
 
   process (clk, rst_n)
   begin
     if rst_n = '0' then
-{%- for register in view.registers() %}
+{%- for register in process.registers %}
       {{ register.name }} <= {{ register.start() }};
 {%- endfor %}
     elsif rising_edge(clk) then
-{%- for register in view.registers() %}
+{%- match process.enable %}
+{%- when Some(enable) %}
+      if {{ enable }} = '1' then
+{%- for register in process.registers %}
+        {{ register.name }} <= {{ register.next }};
+{%- endfor %}
+      end if;
+{%- when None %}
+{%- for register in process.registers %}
       {{ register.name }} <= {{ register.next }};
 {%- endfor %}
+{%- endmatch %}
     end if;
   end process;
-{%- elif view.has_registers() %}
+{%- else %}
 
   process (clk)
   begin
     if rising_edge(clk) then
       if {{ view.is_reset() }} then
-{%- for register in view.registers() %}
+{%- for register in process.registers %}
         {{ register.name }} <= {{ register.start() }};
 {%- endfor %}
+{%- match process.enable %}
+{%- when Some(enable) %}
+      elsif {{ enable }} = '1' then
+{%- when None %}
       else
-{%- for register in view.registers() %}
+{%- endmatch %}
+{%- for register in process.registers %}
         {{ register.name }} <= {{ register.next }};
 {%- endfor %}
       end if;
     end if;
   end process;
 {%- endif %}
+{%- endfor %}
 end architecture rtl;
 {%- endfor %}

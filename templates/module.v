@@ -49,20 +49,20 @@ module {{ view.module.name }} (
 {%- for (part, value) in view.outputs() %}
   assign {{ part.verilog() }} ={{ value }};
 {%- endfor %}
-{%- if view.has_registers() %}
+{%- for process in view.processes() %}
 
   always @({{ view.edges() }}) begin
     if ({{ view.is_reset() }}) begin
-{%- for register in view.registers() %}
+{%- for register in process.registers %}
       {{ register.name }} <= {{ register.start() }};
 {%- endfor %}
-    end else begin
-{%- for register in view.registers() %}
+    end else{% if let Some(enable) = process.enable %} if ({{ enable }}){% endif %} begin
+{%- for register in process.registers %}
       {{ register.name }} <= {{ register.next }};
 {%- endfor %}
     end
   end
-{%- endif %}
+{%- endfor %}
 {%- if let Some(unread) = view.unread() %}
 
   // What the program does not read.

@@ -12,6 +12,10 @@ module {{ bench.name }};
   wire {% if signal.width > 1 %}[{{ signal.width - 1 }}:0] {% endif %}{{ signal.name }};
 {%- endif %}
 {%- endfor %}
+{%- if bench.has_scans %}
+  reg is_last;
+  reg [1:0] pause = 2'd0;
+{%- endif %}
   reg failed;
   integer failures;
 
@@ -33,6 +37,33 @@ module {{ bench.name }};
 {%- endfor %}
   );
 {% endif %}
+{% if bench.has_scans %}
+  // A scan is over when the core says so. None to three clocks without a scan come before it.
+  task scan(input integer times, input with_tick);
+    begin
+      repeat (times) begin
+        pause = pause + 2'd1;
+        repeat (pause) clock;
+        scan_start = 1'b1;
+        tick = with_tick;
+        is_last = 1'b0;
+        while (!is_last) begin
+          clock;
+          scan_start = 1'b0;
+          tick = 1'b0;
+        end
+      end
+    end
+  endtask
+
+  task clock;
+    begin
+      #5 is_last = scan_done;
+      clk = 1'b1;
+      #5 clk = 1'b0;
+    end
+  endtask
+{%- else %}
   // One clock is one scan.
   task scan(input integer times, input with_tick);
     begin
@@ -43,6 +74,7 @@ module {{ bench.name }};
       end
     end
   endtask
+{%- endif %}
 
   task reset;
     begin
@@ -50,7 +82,7 @@ module {{ bench.name }};
       {{ signal.name }} = {{ signal.width }}'d0;
 {%- endif %}{% endfor %}
       {{ bench.reset_port }} = 1'b{{ bench.reset_on }};
-      scan(1, 1'b0);
+      {% if bench.has_scans %}clock{% else %}scan(1, 1'b0){% endif %};
       {{ bench.reset_port }} = 1'b{{ bench.reset_off }};
     end
   endtask

@@ -101,6 +101,9 @@ module {{ view.ports.wrapper }} (
 {%- if view.has_tick %},
     .tick({{ tick }})
 {%- endif %}
+{%- if view.ports.has_scan_ports %},
+    .scan_start(1'b1)
+{%- endif %}
 {%- for pin in view.pins %},
     .{{ pin.port }}({{ pin.seen() }})
 {%- endfor %}

@@ -160,6 +160,9 @@ begin
 {%- if view.has_tick %},
       tick => {{ tick }}
 {%- endif %}
+{%- if view.ports.has_scan_ports %},
+      scan_start => '1'
+{%- endif %}
 {%- for pin in view.pins %},
       {{ pin.port }} => {{ pin.seen() }}
 {%- endfor %}

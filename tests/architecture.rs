@@ -19,7 +19,7 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("equations", &["index", "types", "blocks", "model"]),
     ("lint", &["index", "source", "types", "diagnostic", "syntax", "blocks", "model", "equations"]),
     ("eval", &["index", "source", "types", "quantity", "diagnostic", "blocks", "model"]),
-    ("draw", &["source", "syntax", "blocks", "eval"]),
+    ("draw", &["source", "types", "quantity", "syntax", "blocks", "model", "eval"]),
     ("live", &["source", "types", "quantity", "model", "eval", "draw"]),
     ("expand", &["index", "types", "circuit", "blocks", "model", "equations"]),
     (
@@ -70,7 +70,7 @@ const ROOMS: &[(&str, &[&str])] = &[
 const FENCED: &[(&str, &[&str])] = &[
     ("pest::", &["syntax/parse/grammar.rs"]),
     ("pest_derive::", &["syntax/parse/grammar.rs"]),
-    ("askama::", &["backend/", "draw/svg.rs"]),
+    ("askama::", &["backend/", "draw/svg.rs", "draw/timing/"]),
     ("annotate_snippets::", &["diagnostic/"]),
     ("serde::", &["diagnostic/", "report/"]),
     ("serde_json::", &["diagnostic/", "eval/stimulus/", "report/", "cli/"]),

@@ -18,7 +18,8 @@ use hotrail::eval::{Outcome, run_test};
 use hotrail::lint;
 use hotrail::source::Source;
 
-const DOCUMENTS: &[&str] = &["docs/language.md", "docs/timers.md", "README.md"];
+const DOCUMENTS: &[&str] =
+    &["docs/language.md", "docs/schedules.md", "docs/timers.md", "README.md"];
 
 struct Block {
     /// Document and line.

@@ -285,6 +285,19 @@ fn all_that_touches_an_instance_is_in_order() {
     }
 }
 
+#[test]
+fn a_shift_register_changes_words_of_the_program() {
+    let start = "ladder demo  input a, b  output x, y  var w : WORD  ";
+    let cases: [(&str, &[&str]); 3] = [
+        ("rung a s:SHL(REG := w) rung w.3 (y)", &["1 raw 2"]),
+        ("rung w.3 (y) rung a s:SHL(REG := w)", &["1 war 2"]),
+        ("rung a (w.0) rung a s:SHL(REG := w)", &["1 raw 2", "1 waw 2"]),
+    ];
+    for (rungs, expected) in cases {
+        assert_eq!(dependencies(&format!("{start}{rungs}")), expected, "{rungs}");
+    }
+}
+
 /// The page shows a program and what the command prints of it.
 #[test]
 fn the_page_is_true() {

@@ -8,15 +8,16 @@ use std::path::Path;
 use common::proof::{both_editions_are_equal, both_editions_differ};
 use common::{amount, examples, generate, require_tool, run};
 
-fn build(ladder: &Path, folder: &Path) {
+fn build(ladder: &Path, schedule: &str, folder: &Path) {
     let (out, ladder) = (folder.display().to_string(), ladder.display().to_string());
-    let build = ["build", &ladder, "-o", &out, "--emit", "verilog,vhdl"];
+    let emit = ["--emit", "verilog,vhdl", "--schedule", schedule];
+    let build = [&["build", &ladder, "-o", &out], &emit[..]].concat();
     run(Path::new("."), env!("CARGO_BIN_EXE_hotrail"), &build);
 }
 
-fn prove(ladder: &Path, name: &str) {
+fn prove(ladder: &Path, name: &str, schedule: &str) {
     let folder = tempfile::tempdir().unwrap();
-    build(ladder, folder.path());
+    build(ladder, schedule, folder.path());
     let (verilog, vhdl) = (format!("{name}.v"), format!("{name}.vhd"));
     both_editions_are_equal(folder.path(), name, &verilog, &vhdl);
 }
@@ -31,7 +32,18 @@ fn vhdl_and_verilog_of_examples_are_the_same_hardware() {
         return;
     }
     for example in examples() {
-        prove(&example.ladder, &example.name());
+        prove(&example.ladder, &example.name(), "flat");
+    }
+}
+
+/// The schedules of several clocks take turns.
+#[test]
+fn vhdl_and_verilog_of_examples_in_schedules_of_several_clocks_are_the_same_hardware() {
+    if !can_prove() {
+        return;
+    }
+    for (example, schedule) in examples().iter().zip(["levels", "serial"].into_iter().cycle()) {
+        prove(&example.ladder, &example.name(), schedule);
     }
 }
 
@@ -45,7 +57,9 @@ fn vhdl_and_verilog_of_random_programs_are_the_same_hardware() {
         let name = format!("random_{seed}");
         let ladder = folder.path().join(format!("{name}.ladder"));
         std::fs::write(&ladder, generate::program_without_products(seed)).unwrap();
-        prove(&ladder, &name);
+        for schedule in ["flat", ["levels", "serial"][seed as usize % 2]] {
+            prove(&ladder, &name, schedule);
+        }
     }
 }
 
@@ -69,7 +83,7 @@ fn vhdl_and_verilog_multiply_and_divide_the_same() {
         }
     }
     std::fs::write(&ladder, text).unwrap();
-    prove(&ladder, "arithmetic");
+    prove(&ladder, "arithmetic", "flat");
 }
 
 #[test]
@@ -78,7 +92,7 @@ fn a_difference_is_found() {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
-    build(Path::new("examples/start_stop/start_stop.ladder"), folder.path());
+    build(Path::new("examples/start_stop/start_stop.ladder"), "flat", folder.path());
     let file = folder.path().join("start_stop.v");
     let verilog = std::fs::read_to_string(&file).unwrap();
     let changed = verilog.replacen(" | ", " & ", 1);

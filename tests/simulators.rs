@@ -2,16 +2,13 @@
 
 mod common;
 
-use std::fmt::Write;
 use std::path::Path;
 use std::process::Command;
 
-use common::{amount, examples, generate, require_tool, run};
+use common::recorded::with_recorded_test;
+use common::{amount, checks, examples, generate, require_tool, run};
 use fastrand::Rng;
-use hotrail::eval::Evaluator;
-use hotrail::model::{Program, Role, Variable, VariableId};
 use hotrail::source::Source;
-use hotrail::types::Type;
 
 const HOTRAIL: &str = env!("CARGO_BIN_EXE_hotrail");
 
@@ -32,6 +29,21 @@ fn tests_of_examples_pass_in_every_simulator() {
     }
 }
 
+/// The schedules of several clocks take turns; the flat one is above.
+const SCHEDULES: [&str; 2] = ["levels", "serial"];
+
+#[test]
+fn tests_of_examples_pass_in_schedules_of_several_clocks() {
+    for simulator in simulators() {
+        for (example, schedule) in examples().iter().zip(SCHEDULES.into_iter().cycle()) {
+            let ladder = example.ladder.display().to_string();
+            let arguments = ["test", "--on", simulator, "--schedule", schedule, &ladder];
+            let text = run(Path::new("."), HOTRAIL, &arguments);
+            assert!(!text.contains("running 0 tests"), "{text}");
+        }
+    }
+}
+
 #[test]
 fn a_wrong_expectation_fails_everywhere_with_the_same_words() {
     let folder = tempfile::tempdir().unwrap();
@@ -43,9 +55,9 @@ fn a_wrong_expectation_fails_everywhere_with_the_same_words() {
         test \"list\"        expect [ y | z a ]
         test \"right\"       a := 1  b := 1  scan  expect y { t.ET = 0ms }";
     std::fs::write(folder.path().join("wrong.ladder"), text).unwrap();
-    let failures = |executor: &str| {
+    let failures = |executor: &str, schedule: &str| {
         let output = Command::new(HOTRAIL)
-            .args(["test", "wrong.ladder", "--on", executor])
+            .args(["test", "wrong.ladder", "--on", executor, "--schedule", schedule])
             .current_dir(folder.path())
             .output()
             .unwrap();
@@ -53,12 +65,14 @@ fn a_wrong_expectation_fails_everywhere_with_the_same_words() {
         let shown = [output.stdout, output.stderr].concat();
         String::from_utf8_lossy(&shown).replace(executor, "EXECUTOR")
     };
-    let meant = failures("evaluator");
+    let meant = failures("evaluator", "flat");
     for expected in ["y is 0", "n is -6", "y is 0, z is 0, a is 0", "1 passed; 3 failed"] {
         assert!(meant.contains(expected), "no {expected} in\n{meant}");
     }
     for simulator in simulators() {
-        assert_eq!(failures(simulator), meant, "{simulator}");
+        for schedule in ["flat", "levels", "serial"] {
+            assert_eq!(failures(simulator, schedule), meant, "{simulator}, {schedule}");
+        }
     }
 }
 
@@ -86,6 +100,7 @@ fn a_testbench_takes_every_name() {
         .flat_map(|text| text.split(|c| !is_word(c)))
         .filter(|word| word.starts_with(char::is_alphabetic))
         .chain([
+            "scan_done",
             "round",
             "round_2",
             "named_tb",
@@ -101,8 +116,11 @@ fn a_testbench_takes_every_name() {
     names.retain(|&name| name != "y");
     std::fs::write(folder.path().join("named.ladder"), with_inputs(&names)).unwrap();
     for executor in ["evaluator"].iter().chain(&simulators()) {
-        let text = run(folder.path(), HOTRAIL, &["test", "named.ladder", "--on", executor]);
-        assert!(text.contains("1 passed"), "{text}");
+        for schedule in ["flat", "serial"] {
+            let arguments = ["test", "named.ladder", "--on", executor, "--schedule", schedule];
+            let text = run(folder.path(), HOTRAIL, &arguments);
+            assert!(text.contains("1 passed"), "{text}");
+        }
     }
 }
 
@@ -125,15 +143,12 @@ fn chosen_tests_fail_at_their_own_expectations() {
 const DEBOUNCE: &str = "1s";
 
 /// The files of a build with everything in it.
-fn build(ladder: &Path, reset: &str, folder: &Path) {
+fn build(ladder: &Path, reset: &str, schedule: &str, folder: &Path) {
     let out = folder.display().to_string();
     let ladder = ladder.display().to_string();
-    let emit = common::GOLDEN;
-    run(
-        Path::new("."),
-        HOTRAIL,
-        &["build", &ladder, "-o", &out, "--emit", emit, "--reset", reset, "--debounce", DEBOUNCE],
-    );
+    let files = ["build", &ladder, "-o", &out, "--emit", common::GOLDEN];
+    let how = ["--reset", reset, "--debounce", DEBOUNCE, "--schedule", schedule];
+    run(Path::new("."), HOTRAIL, &[&files[..], &how].concat());
 }
 
 /// Tools that only look say nothing about these files.
@@ -166,9 +181,11 @@ fn check_quietly(folder: &Path, name: &str) {
 fn tools_accept_what_is_emitted_without_a_word() {
     // How a reset is written does not depend on the program, so the examples take turns.
     let resets = ["sync-high", "sync-low", "async-low"];
-    for (example, reset) in examples().iter().zip(resets.into_iter().cycle()) {
+    let schedules = ["flat", SCHEDULES[0], "flat", SCHEDULES[1]];
+    let how = resets.into_iter().cycle().zip(schedules.into_iter().cycle());
+    for (example, (reset, schedule)) in examples().iter().zip(how) {
         let folder = tempfile::tempdir().unwrap();
-        build(&example.ladder, reset, folder.path());
+        build(&example.ladder, reset, schedule, folder.path());
         check_quietly(folder.path(), &example.name());
     }
 }
@@ -181,75 +198,12 @@ fn yosys_makes_ice40_cells_of_every_example() {
     for example in examples() {
         let name = example.name();
         let folder = tempfile::tempdir().unwrap();
-        build(&example.ladder, "sync-high", folder.path());
+        build(&example.ladder, "sync-high", "flat", folder.path());
         let script = format!(
             "read_verilog {name}.v {name}_top.v; synth_ice40 -top {name}_top; check -assert"
         );
         run(folder.path(), "yosys", &["-q", "-p", &script]);
     }
-}
-
-/// A literal of a value, as an expectation can compare with it; a tick is so many milliseconds.
-fn literal(ty: Type, value: i64, tick: i64) -> String {
-    match ty {
-        // The magnitude of the lowest TIME is no TIME.
-        Type::Time if value == Type::Time.range().0 => {
-            format!("{}ms - {tick}ms", (value + 1) * tick)
-        }
-        Type::Time => format!("{}ms", value * tick),
-        _ => value.to_string(),
-    }
-}
-
-/// A variable's name as a program writes it.
-fn quoted(program: &Program, id: VariableId, variable: &Variable) -> String {
-    if let Some(array) = program.array_of(id) {
-        let (array, index) = (&program.arrays[array].name, variable.name.rfind('['));
-        return format!("`{array}`{}", &variable.name[index.expect("elements have an index")..]);
-    }
-    match variable.role {
-        Role::Member(instance, port) => {
-            let instance = &program.instances[instance];
-            format!("`{}`.{}", instance.name, instance.shape.ports[port].name)
-        }
-        _ => format!("`{}`", variable.name),
-    }
-}
-
-/// The program with a test that drives it at random and expects, after every scan, what the
-/// evaluator says.
-fn with_recorded_test(text: &str, program: &Program, random: &mut Rng) -> String {
-    let is_shown = |variable: &Variable| program.is_named(variable) && variable.role != Role::Input;
-    let inputs: Vec<VariableId> = program.with_role(Role::Input).map(|(id, _)| id).collect();
-    let tick_ms = (program.tick_ns / 1_000_000) as i64;
-    let mut evaluator = Evaluator::new(program);
-    let mut text = format!("{text}test \"as recorded\"\n");
-    for _ in 0..60 {
-        for &input in &inputs {
-            let ty = &program.variables[input].ty;
-            let name = quoted(program, input, &program.variables[input]);
-            if random.u8(..3) == 0 {
-                let value = if random.bool() { random.i64(-3..4) } else { random.i64(..) };
-                let value = ty.wrap(value);
-                evaluator.drive(input, value);
-                writeln!(text, "    {name} := {}", literal(*ty, value, tick_ms)).unwrap();
-            }
-        }
-        let tick = random.bool();
-        evaluator.scan(tick);
-        let run = if tick { format!("wait {tick_ms}ms") } else { "scan".to_owned() };
-        write!(text, "    {run} expect TRUE").unwrap();
-        for (id, variable) in program.variables.iter().filter(|(_, v)| is_shown(v)) {
-            let (name, value) = (quoted(program, id, variable), evaluator.value(id));
-            match variable.ty {
-                Type::Bool if value == 1 => write!(text, " {name}").unwrap(),
-                Type::Bool => write!(text, " !{name}").unwrap(),
-                ty => write!(text, " {{ {name} = {} }}", literal(ty, value, tick_ms)).unwrap(),
-            }
-        }
-        text.push('\n');
-    }
-    text
 }
 
 #[test]
@@ -265,10 +219,20 @@ fn random_programs_run_in_simulators_as_in_the_evaluator() {
         let file = folder.path().join(format!("{name}.ladder"));
         std::fs::write(&file, &text).unwrap();
         let file = file.display().to_string();
-        for simulator in ["evaluator"].iter().chain(&simulators) {
-            run(Path::new("."), HOTRAIL, &["test", "--on", simulator, &file]);
+        for schedule in ["flat", SCHEDULES[seed as usize % 2]] {
+            for simulator in ["evaluator"].iter().chain(&simulators) {
+                let arguments = ["test", "--on", simulator, "--schedule", schedule, &file];
+                run(Path::new("."), HOTRAIL, &arguments);
+            }
+            build(Path::new(&file), "sync-high", schedule, folder.path());
+            check_quietly(folder.path(), &name);
         }
-        build(Path::new(&file), "sync-high", folder.path());
-        check_quietly(folder.path(), &name);
     }
+}
+
+#[test]
+fn many_random_programs_run_at_once_as_in_the_evaluator() {
+    let programs = 5 * amount("HOTRAIL_RANDOM_SIMULATIONS", 5);
+    checks::ICARUS.hold(programs);
+    checks::GHDL.hold(programs);
 }

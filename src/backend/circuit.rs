@@ -32,7 +32,7 @@ impl<'p> CircuitRunner<'p> {
             observe.iter().copied().filter(|&variable| !is_port(variable)).collect();
         inner.sort_unstable_by_key(|&variable| index(variable));
         inner.dedup();
-        let options = expand::Options { source: String::new(), observe: inner };
+        let options = expand::Options { observe: inner, ..expand::Options::default() };
         let design = expand::compile(program, &options);
         let mut inputs = vec![None; program.variables.len()];
         for (port, (input, _)) in program.with_role(Role::Input).enumerate() {

@@ -12,6 +12,7 @@ use std::fmt;
 use crate::circuit::{Design, Valid};
 use crate::diagnostic::Diagnostic;
 use crate::draw::{self, Drawing};
+use crate::equations;
 use crate::expand;
 use crate::model::{Program, Role, VariableId};
 use crate::quantity;
@@ -20,6 +21,7 @@ use hdl::testbench::{self, Shown};
 use hdl::{Board, Language, ResetStyle};
 use processor::{Form, Image, Part};
 
+pub use crate::expand::Schedule;
 pub use circuit::CircuitRunner;
 #[cfg(feature = "cli")]
 pub use vcd::Vcd;
@@ -86,6 +88,8 @@ pub struct Options {
     pub clock_hz: Option<u64>,
     /// How many nanoseconds an input must keep its value before the wrapper lets it pass.
     pub debounce_ns: Option<u64>,
+    /// In which clocks of a scan the rungs act.
+    pub schedule: Schedule,
 }
 
 /// An option that does not fit the program.
@@ -106,6 +110,7 @@ pub struct Unit<'a> {
     source: &'a Source,
     design: Valid<Design>,
     observed: Vec<VariableId>,
+    schedule: Schedule,
     print: hdl::Options,
     board: Board,
 }
@@ -121,15 +126,19 @@ impl<'a> Unit<'a> {
         options: &Options,
     ) -> Result<Self, BadOption> {
         let observed = observed(program, &options.observe)?;
-        let source_name = source.file_name().to_owned();
-        let expand = expand::Options { source: source_name.clone(), observe: observed.clone() };
+        let board = board(program, options)?;
+        scan_fits_tick(program, options.schedule, &board)?;
+        let schedule = options.schedule;
+        let (source_name, observe) = (source.file_name().to_owned(), observed.clone());
+        let expand = expand::Options { source: source_name.clone(), observe, schedule };
         Ok(Unit {
             program,
             source,
             design: expand::compile(program, &expand),
             observed,
+            schedule,
             print: hdl::Options { reset: options.reset, source: source_name, ..Default::default() },
-            board: board(program, options)?,
+            board,
         })
     }
 
@@ -205,7 +214,8 @@ impl<'a> Unit<'a> {
     }
 
     fn testbench(&self, language: Language) -> Artifact {
-        let shipped = Shown { design: &self.design, observed: &self.observed };
+        let shipped =
+            Shown { design: &self.design, observed: &self.observed, schedule: self.schedule };
         let text = testbench::print(self.program, self.source, &shipped, language, &self.print);
         self.artifact(testbench::SUFFIX, language, text)
     }
@@ -238,6 +248,24 @@ fn observed(program: &Program, names: &[String]) -> Result<Vec<VariableId>, BadO
         }
     }
     Ok(observe)
+}
+
+/// Refuses a schedule in which two ticks could come within one scan: one of them would be lost.
+fn scan_fits_tick(program: &Program, schedule: Schedule, board: &Board) -> Result<(), BadOption> {
+    if schedule == Schedule::Flat {
+        return Ok(());
+    }
+    let clocks = u64::from(schedule.clocks(program, &equations::lower(program)));
+    let tick = board.prescaler().clocks;
+    if clocks <= tick {
+        return Ok(());
+    }
+    let plural = if tick == 1 { "" } else { "s" };
+    Err(BadOption(format!(
+        "a scan takes {clocks} clocks in this schedule, and from tick to tick there {} {tick} \
+         clock{plural}: take a faster clock, a longer tick or another schedule",
+        if tick == 1 { "is" } else { "are" }
+    )))
 }
 
 fn board(program: &Program, options: &Options) -> Result<Board, BadOption> {

@@ -60,7 +60,7 @@ impl Circuit {
         let name = name.into();
         let reset = reset & mask(width);
         let net = Net::from_raw((self.cells.len() as u32).into());
-        let id = self.registers.alloc(Register { name, width, reset, next: net });
+        let id = self.registers.alloc(Register { name, width, reset, next: net, enable: None });
         self.add_cell(Op::Register(id), width);
         (id, net)
     }
@@ -70,9 +70,20 @@ impl Circuit {
         self.registers[register].next = next;
     }
 
+    /// Gives a register the value that it takes where a bit is 1.
+    pub fn drive_where(&mut self, enable: Net, register: RegisterId, next: Net) {
+        self.registers[register].enable = Some(enable);
+        self.registers[register].next = next;
+    }
+
     /// A new instance of a circuit; its inputs are given later.
     pub fn instance(&mut self, name: impl Into<String>, module: ModuleId) -> InstanceId {
-        self.instances.alloc(Instance { name: name.into(), module, inputs: Vec::new() })
+        self.instances.alloc(Instance {
+            name: name.into(),
+            module,
+            inputs: Vec::new(),
+            enable: None,
+        })
     }
 
     /// The net of an instance's output port.

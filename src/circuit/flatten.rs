@@ -2,14 +2,18 @@
 
 use std::collections::BTreeSet;
 
-use super::{Cell, Circuit, Design, Net, Op, Output, Valid};
+use super::{Cell, Circuit, Design, Instance, Net, Op, Output, Valid};
 use crate::index::index;
+
+/// Why a net of the flat circuit is there.
+const COPIED: &str = "every cell that is needed was copied";
 
 /// Net in the flat circuit of each net of an instance, made when it is first needed.
 struct Inlined<'d> {
     name: &'d str,
     module: &'d Circuit,
     inputs: &'d [Net],
+    enable: Option<Net>,
     nets: Vec<Option<Net>>,
 }
 
@@ -23,7 +27,7 @@ struct Flattener {
 
 impl Valid<Design> {
     /// The top circuit with every instance put in its place; registers of an instance are named
-    /// `instance.register`.
+    /// `instance.register`. What enables a register is a choice between two values then.
     pub fn flatten(&self) -> Circuit {
         let top = self.top();
         let mut flat = Circuit::new(&top.name);
@@ -36,7 +40,8 @@ impl Valid<Design> {
             .map(|instance| {
                 let module = &self.modules[instance.module];
                 let nets = vec![None; module.len()];
-                Inlined { name: &instance.name, module, inputs: &instance.inputs, nets }
+                let Instance { name, inputs, enable, .. } = instance;
+                Inlined { name, module, inputs, enable: *enable, nets }
             })
             .collect();
         for (net, cell) in top.cells() {
@@ -52,14 +57,17 @@ impl Valid<Design> {
         for inlined in &mut inlined {
             for (_, register) in inlined.module.registers.iter() {
                 flattener.inline(inlined, register.next);
+                register.enable.map(|enable| flattener.inline(inlined, enable));
             }
-            flattener.drive(inlined.module, &inlined.nets);
+            let enable = inlined.enable.map(|net| flattener.nets[index(net)].expect(COPIED));
+            flattener.drive(inlined.module, &inlined.nets, enable);
         }
         let nets = std::mem::take(&mut flattener.nets);
-        flattener.drive(top, &nets);
+        flattener.drive(top, &nets, None);
         for Output { name, net } in &top.outputs {
-            flattener.flat.output(name.clone(), nets[index(*net)].expect("every cell was copied"));
+            flattener.flat.output(name.clone(), nets[index(*net)].expect(COPIED));
         }
+        flattener.flat.has_scan_ports = top.has_scan_ports;
         flattener.flat
     }
 }
@@ -108,15 +116,19 @@ impl Flattener {
         inlined.nets[index(target)].expect("the target was copied")
     }
 
-    /// Gives the copies of a circuit's registers their next values.
-    fn drive(&mut self, from: &Circuit, nets: &[Option<Net>]) {
+    /// Gives the copies of a circuit's registers their next values. `enable` enables them all.
+    fn drive(&mut self, from: &Circuit, nets: &[Option<Net>], enable: Option<Net>) {
         for (net, cell) in from.cells() {
             let (Op::Register(id), Some(copy)) = (cell.op, nets[index(net)]) else { continue };
-            let Op::Register(copy) = self.flat.cell(copy).op else {
+            let Op::Register(register) = self.flat.cell(copy).op else {
                 unreachable!("a register's copy is a register")
             };
-            let next = nets[index(from.registers[id].next)].expect("every next value was copied");
-            self.flat.drive(copy, next);
+            let get = |net: Net| nets[index(net)].expect(COPIED);
+            let mut next = get(from.registers[id].next);
+            for enable in from.registers[id].enable.map(get).into_iter().chain(enable) {
+                next = self.flat.mux(enable, next, copy);
+            }
+            self.flat.drive(register, next);
         }
     }
 }

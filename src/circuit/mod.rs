@@ -60,6 +60,9 @@ pub struct Circuit {
     pub inputs: Vec<Input>,
     /// Output ports.
     pub outputs: Vec<Output>,
+    /// A scan takes as many clocks as its schedule says: the second input starts a scan, the last
+    /// output is 1 in its last clock. Only a top has such.
+    pub has_scan_ports: bool,
     /// Ports that are the elements of arrays. Only the top has such.
     pub vectors: Vec<Vector>,
     /// Registers.
@@ -119,7 +122,8 @@ pub struct Vector {
     pub length: usize,
 }
 
-/// A register: takes `next` at every clock edge, `reset` at reset and when powered up.
+/// A register: takes `next` at every clock edge at which it is enabled, `reset` at reset and when
+/// powered up.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Register {
     /// Name as the user knows it.
@@ -130,6 +134,8 @@ pub struct Register {
     pub reset: u64,
     /// The value at the next scan; may stand behind its users.
     pub next: Net,
+    /// One bit: it keeps its value where this is 0. Without it, it never does.
+    pub enable: Option<Net>,
 }
 
 /// An instance of another circuit.
@@ -144,6 +150,8 @@ pub struct Instance {
     pub module: ModuleId,
     /// One net for each of its inputs.
     pub inputs: Vec<Net>,
+    /// One bit: its registers keep their values where this is 0. Without it, they never do.
+    pub enable: Option<Net>,
 }
 
 /// A name for a net.

@@ -71,6 +71,11 @@ fn check_circuit(design: &Design, id: ModuleId, circuit: &Circuit) -> Result<(),
             format!("register {} has no next value of its width", register.name)
         })?;
     }
+    let enables = circuit.registers.values().filter_map(|register| register.enable);
+    let mut enables = enables.chain(circuit.instances.values().filter_map(|one| one.enable));
+    ensure(enables.all(|net| exists(net) && circuit.width(net) == 1), || {
+        "what enables is no bit".to_owned()
+    })?;
     for (_, instance) in circuit.instances.iter() {
         let module = &design.modules[instance.module];
         ensure(module.inputs.len().max(module.outputs.len()) <= 64, || {

@@ -15,6 +15,7 @@ use hotrail::quantity;
 
 use super::lints::Lints;
 use super::report::Report;
+use super::schedule::Schedule;
 use super::{Sources, Verdict, split_names};
 
 /// Compile ladder files to Verilog, VHDL and what goes with them
@@ -39,6 +40,9 @@ pub struct Options {
     /// Back-ticks as in a ladder, for names that need them
     #[arg(long, value_name = "NAMES")]
     observe: Vec<String>,
+    /// In which clocks of a scan the rungs act
+    #[arg(long, value_enum, default_value_t = Schedule::Flat)]
+    schedule: Schedule,
     /// Frequency of the board's clock, such as 50MHz, instead of the program's own
     #[arg(long, value_name = "FREQUENCY", value_parser = frequency)]
     clock: Option<u64>,
@@ -164,6 +168,7 @@ fn compile(
         observe: options.observe.iter().flat_map(|names| split_names(names)).collect(),
         clock_hz: options.clock,
         debounce_ns: options.debounce,
+        schedule: options.schedule.schedule(),
     };
     let unit = Unit::new(&program, &source, &backend_options)
         .with_context(|| path.display().to_string())?;

@@ -10,7 +10,7 @@ use hotrail::draw::{self, Drawing, Glyphs, NARROWEST, Rung, WIDEST};
 use hotrail::files;
 use hotrail::lint;
 
-use super::flow;
+use super::pictures;
 use super::report::Report;
 use super::sim::read_stimulus;
 use super::{Sources, Verdict};
@@ -102,7 +102,7 @@ pub fn run(options: &Options, report: &mut Report) -> anyhow::Result<Verdict> {
         let glyphs = if options.ascii { Glyphs::Ascii } else { Glyphs::Unicode };
         let texts: Vec<String> = drawings
             .iter()
-            .map(|(_, drawing)| flow::terminal_text(drawing, glyphs, report))
+            .map(|(_, drawing)| pictures::terminal_text(drawing, glyphs, report))
             .collect();
         report.result(&texts.join("\n"));
         return Ok(Verdict::Good);
@@ -146,8 +146,9 @@ fn draw_all(
                 let Some(stimulus) = read_stimulus(&program, Some(stimulus), report)? else {
                     return Ok(None);
                 };
-                let flow = flow::at(&program, &stimulus, options.at)?;
-                Drawing::with_flow(&source, &look, &flow)
+                let (flow, moment) = pictures::at(&program, &stimulus, options.at)?;
+                let drawing = Drawing::with_flow(&source, &look, &flow);
+                Drawing { moment: Some(moment), ..drawing }
             }
         };
         drawings.push((path.clone(), drawing));

@@ -7,14 +7,15 @@ use anyhow::{Context, bail};
 use clap::ValueEnum;
 use indicatif::{ProgressBar, ProgressStyle};
 
-use hotrail::backend::{CircuitRunner, Vcd};
-use hotrail::eval::{Evaluator, Machine, Stimulus};
-use hotrail::files::NewFile;
+use hotrail::backend::CircuitRunner;
+use hotrail::eval::{Evaluator, Flow, Machine, Stimulus};
 use hotrail::lint;
-use hotrail::model::{Program, Role, VariableId};
+use hotrail::model::{Program, VariableId};
+use hotrail::source::Source;
 
+use super::pictures;
 use super::report::Report;
-use super::table::Table;
+use super::sink::{Shown, Sink};
 use super::{Verdict, split_names};
 
 /// Run a program on values for its inputs and print every scan
@@ -38,11 +39,20 @@ pub struct Options {
     watch: Vec<String>,
     /// How the scans are printed
     #[arg(long, value_enum, default_value_t = Format::Csv)]
-    format: Format,
+    pub format: Format,
     /// Write a value change dump too, for GTKWave or Surfer, with every variable or those watched;
     /// - writes it to standard output instead of the table
     #[arg(long, value_name = "FILE")]
-    vcd: Option<PathBuf>,
+    pub vcd: Option<PathBuf>,
+    /// Draw the ladder with the power of a scan as an SVG picture too
+    #[arg(long, value_name = "FILE")]
+    pub svg: Option<PathBuf>,
+    /// The scan of that picture, from 0; the last one if it is not said
+    #[arg(long, value_name = "SCAN", requires = "svg")]
+    at: Option<usize>,
+    /// Draw a timing diagram of inputs and outputs, or of what is watched, as an SVG picture too
+    #[arg(long, value_name = "FILE")]
+    pub waves: Option<PathBuf>,
 }
 
 const EXAMPLES: &str = "\
@@ -53,7 +63,9 @@ Examples:
   hotrail sim conveyor.ladder stimulus.csv
   hotrail sim conveyor.ladder - --watch motor,delay.ET --format jsonl < stimulus.csv
   hotrail sim conveyor.ladder stimulus.csv --scans 10000 --vcd conveyor.vcd
-  hotrail sim conveyor.ladder day.csv --on circuit > day.out";
+  hotrail sim conveyor.ladder day.csv --on circuit > day.out
+  hotrail sim conveyor.ladder stimulus.csv --svg power.svg --at 120
+  hotrail sim conveyor.ladder stimulus.csv --waves waves.svg --watch start,motor,delay.ET";
 
 #[derive(ValueEnum, Clone, Copy, PartialEq, Eq)]
 enum Executor {
@@ -71,49 +83,79 @@ pub enum Format {
     Jsonl,
 }
 
+impl Options {
+    /// The files that are read and must not be written.
+    pub fn sources(&self) -> Vec<PathBuf> {
+        [Some(&self.file), self.stimulus.as_ref()].into_iter().flatten().cloned().collect()
+    }
+}
+
 /// A run of fewer scans is over before anybody could read how far it is.
 const LONG_RUN: usize = 200_000;
-
-/// How much of a result is kept back before it is written, in bytes.
-const PIECE: usize = 1 << 16;
 
 pub fn run(options: &Options, report: &mut Report) -> anyhow::Result<Verdict> {
     let lints = lint::Options { off: true, ..lint::Options::default() };
     if options.stimulus.as_ref() == Some(&options.file) && options.file.as_os_str() == "-" {
         bail!("standard input cannot be both the program and its stimulus");
     }
-    let Some((_, program)) = report.analyze(&options.file, &lints) else {
+    let Some((source, program)) = report.analyze(&options.file, &lints) else {
         return Ok(Verdict::Bad);
     };
     let Some(stimulus) = read_stimulus(&program, options.stimulus.as_ref(), report)? else {
         return Ok(Verdict::Bad);
     };
     let watched = watched(&program, &options.watch)?;
-    let shown = Shown::new(&program, watched, options.vcd.is_some());
-    let sink = Sink::new(&program, &shown, options)?;
     let scans = options.scans.unwrap_or(stimulus.len());
-    let run = Run { stimulus: &stimulus, scans, report };
+    let last = scans.saturating_sub(1);
+    let drawn = options.svg.is_some().then_some(options.at.unwrap_or(last));
+    if drawn.is_some_and(|scan| scan >= scans) {
+        bail!("the run has {scans} scans, from 0; --scans N runs more");
+    }
+    let shown = Shown::new(&program, watched, options);
+    let sink = Sink::new(&program, &shown, options)?;
+    let run = Run { source: &source, stimulus: &stimulus, scans, drawn, options, report };
     match options.on {
-        Executor::Evaluator => run.on(Evaluator::new(&program), sink)?,
-        Executor::Circuit => run.on(CircuitRunner::new(&program, &shown.all()), sink)?,
+        Executor::Evaluator => run.on(Evaluator::new(&program), sink, Evaluator::scan_seen)?,
+        Executor::Circuit => {
+            if drawn.is_some() {
+                bail!("the evaluator alone knows the power in a rung: leave out --on circuit");
+            }
+            let not_seen = |_: &mut _, _| unreachable!("nothing is drawn");
+            run.on(CircuitRunner::new(&program, &shown.all()), sink, not_seen)?;
+        }
     }
     Ok(Verdict::Good)
 }
 
 /// What is to be run.
 struct Run<'a> {
+    source: &'a Source,
     stimulus: &'a Stimulus,
     scans: usize,
+    /// The scan whose power is drawn.
+    drawn: Option<usize>,
+    options: &'a Options,
     report: &'a Report,
 }
 
 impl Run<'_> {
-    fn on(&self, mut machine: impl Machine, mut sink: Sink) -> anyhow::Result<()> {
+    /// Runs it on a machine; `seen` runs the scan that is drawn.
+    fn on<M: Machine>(
+        &self,
+        mut machine: M,
+        mut sink: Sink,
+        seen: impl Fn(&mut M, bool) -> Flow,
+    ) -> anyhow::Result<()> {
         let progress = progress(self.scans);
         for scan in 0..self.scans {
             let row = self.stimulus.row(scan);
             row.drives.iter().for_each(|&(input, value)| machine.drive(input, value));
-            machine.scan(row.tick);
+            if self.drawn == Some(scan) {
+                let flow = seen(&mut machine, row.tick);
+                sink.draw(pictures::power(self.source, &flow, scan));
+            } else {
+                machine.scan(row.tick);
+            }
             sink.scan(row.tick, &machine);
             if sink.is_full() {
                 sink.flush(self.report)?;
@@ -121,7 +163,7 @@ impl Run<'_> {
             }
         }
         progress.finish_and_clear();
-        sink.finish(self.report)
+        sink.finish(self.report, self.options)
     }
 }
 
@@ -176,101 +218,4 @@ fn progress(scans: usize) -> ProgressBar {
     let style = ProgressStyle::with_template("{wide_bar} {human_pos} of {human_len} scans, {eta}");
     let style = style.expect("the template is well formed");
     ProgressBar::new(scans as u64).with_style(style)
-}
-
-/// The variables that are to be seen.
-struct Shown {
-    /// Those of the table.
-    columns: Vec<VariableId>,
-    /// Those of the dump, if there is to be one.
-    dumped: Vec<VariableId>,
-}
-
-impl Shown {
-    fn new(program: &Program, watched: Option<Vec<VariableId>>, with_dump: bool) -> Shown {
-        let ports = || {
-            let inputs = program.with_role(Role::Input);
-            inputs.chain(program.with_role(Role::Output)).map(|(id, _)| id).collect()
-        };
-        let named = || program.named_variables().map(|(id, _)| id).collect();
-        let dumped = match (with_dump, &watched) {
-            (false, _) => Vec::new(),
-            (true, Some(watched)) => watched.clone(),
-            (true, None) => named(),
-        };
-        Shown { columns: watched.unwrap_or_else(ports), dumped }
-    }
-
-    fn all(&self) -> Vec<VariableId> {
-        [&self.columns[..], &self.dumped[..]].concat()
-    }
-}
-
-/// Where the scans go.
-struct Sink {
-    table: Option<Table>,
-    dump: Option<(Vcd, Option<NewFile>)>,
-    /// What of the dump is not written yet.
-    piece: Vec<u8>,
-}
-
-impl Sink {
-    fn new(program: &Program, shown: &Shown, options: &Options) -> anyhow::Result<Sink> {
-        let to_stdout = options.vcd.as_ref().is_some_and(|path| path.as_os_str() == "-");
-        let dump = match &options.vcd {
-            None => None,
-            Some(path) => {
-                let sources = [Some(options.file.clone()), options.stimulus.clone()];
-                let sources: Vec<PathBuf> = sources.into_iter().flatten().collect();
-                let file = (!to_stdout).then(|| NewFile::create(path, &sources)).transpose()?;
-                Some((Vcd::new(program, &shown.dumped), file))
-            }
-        };
-        let table =
-            (!to_stdout).then(|| Table::new(program, shown.columns.clone(), options.format));
-        Ok(Sink { table, dump, piece: Vec::new() })
-    }
-
-    fn scan(&mut self, tick: bool, machine: &impl Machine) {
-        if let Some(table) = &mut self.table {
-            table.row(tick, |variable| machine.value(variable));
-        }
-        if let Some((dump, _)) = &mut self.dump {
-            dump.scan(tick, |variable| machine.value(variable));
-            self.piece.append(&mut dump.take());
-        }
-    }
-
-    fn is_full(&self) -> bool {
-        self.piece.len() > PIECE || self.table.as_ref().is_some_and(|t| t.text.len() > PIECE)
-    }
-
-    fn flush(&mut self, report: &Report) -> anyhow::Result<()> {
-        if let Some(table) = &mut self.table {
-            report.result(&std::mem::take(&mut table.text));
-        }
-        if let Some((_, file)) = &mut self.dump {
-            let piece = std::mem::take(&mut self.piece);
-            match file {
-                Some(file) => file.write(&piece)?,
-                None => report.result(&String::from_utf8_lossy(&piece)),
-            }
-        }
-        Ok(())
-    }
-
-    fn finish(mut self, report: &Report) -> anyhow::Result<()> {
-        self.flush(report)?;
-        if let Some((dump, file)) = self.dump {
-            let rest = dump.finish();
-            match file {
-                Some(mut file) => {
-                    file.write(&rest)?;
-                    file.finish()?;
-                }
-                None => report.result(&String::from_utf8_lossy(&rest)),
-            }
-        }
-        Ok(())
-    }
 }

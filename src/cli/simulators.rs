@@ -7,7 +7,7 @@ use std::process::Command;
 use anyhow::{Context, bail};
 
 use hotrail::backend::hdl::testbench;
-use hotrail::backend::{self, Emit, Unit};
+use hotrail::backend::{self, Emit, Schedule, Unit};
 use hotrail::eval::Outcome;
 use hotrail::model::Program;
 use hotrail::source::Source;
@@ -24,6 +24,7 @@ pub enum Simulator {
 /// Emits core and testbench into a folder of their own, runs them and reads the verdicts.
 pub fn run_tests(
     simulator: Simulator,
+    schedule: Schedule,
     program: &Program,
     source: &Source,
 ) -> anyhow::Result<Vec<Outcome>> {
@@ -31,7 +32,7 @@ pub fn run_tests(
         return Ok(Vec::new());
     }
     let folder = tempfile::tempdir().context("cannot make a temporary folder")?;
-    let options = backend::Options::default();
+    let options = backend::Options { schedule, ..backend::Options::default() };
     let unit = Unit::new(program, source, &options)?;
     let core = match simulator {
         Simulator::Icarus => Emit::Verilog,

@@ -17,6 +17,7 @@ use hotrail::source::Source;
 
 use super::dump;
 use super::report::Report;
+use super::schedule::Schedule;
 use super::simulators::{self, Simulator};
 use super::{Sources, Verdict};
 
@@ -32,6 +33,9 @@ pub struct Options {
     /// What runs the tests; simulators run the emitted HDL and must be installed
     #[arg(long, value_enum, value_delimiter = ',', default_value = "evaluator")]
     on: Vec<Executor>,
+    /// In which clocks of a scan the rungs act in the emitted HDL
+    #[arg(long, value_enum, default_value_t = Schedule::Flat)]
+    schedule: Schedule,
     /// Run only tests whose title contains this text
     #[arg(long, value_name = "TEXT", default_value = "")]
     filter: String,
@@ -93,7 +97,7 @@ pub fn run(options: &Options, report: &mut Report) -> anyhow::Result<Verdict> {
                         continue;
                     }
                 },
-                _ => execute(executor, &program, &source)?,
+                _ => execute(executor, options.schedule, &program, &source)?,
             };
             let failed = show(executor, &program, &source, &outcomes, filtered_out, report);
             if failed > 0 {
@@ -136,7 +140,12 @@ fn emulate(program: &Program) -> Result<Vec<Outcome>, Vec<Diagnostic>> {
 }
 
 /// How each test of the program ended.
-fn execute(executor: Executor, program: &Program, source: &Source) -> anyhow::Result<Vec<Outcome>> {
+fn execute(
+    executor: Executor,
+    schedule: Schedule,
+    program: &Program,
+    source: &Source,
+) -> anyhow::Result<Vec<Outcome>> {
     let simulator = match executor {
         Executor::Evaluator => {
             let run = |test| eval::run_test(program, test);
@@ -151,7 +160,7 @@ fn execute(executor: Executor, program: &Program, source: &Source) -> anyhow::Re
         Executor::Icarus => Simulator::Icarus,
         Executor::Ghdl => Simulator::Ghdl,
     };
-    simulators::run_tests(simulator, program, source)
+    simulators::run_tests(simulator, schedule.schedule(), program, source)
 }
 
 /// Prints a line for each test, then the failures, then the sum; returns the number of failures.

@@ -136,7 +136,12 @@ impl<'r> Grid<'r> {
                     let at = Point { x: text.at.x - 1, ..text.at };
                     self.write(at, &format!("{left}{}{right}", text.text), look);
                 }
-                Style::Name => self.write(text.at, &text.text, look),
+                // Those of a network are the names of its nodes.
+                Style::Name
+                    if self.rung.seen(*element).is_some_and(|seen| seen.ends.is_empty()) =>
+                {
+                    self.write(text.at, &text.text, look);
+                }
                 _ => self.write(text.at, &text.text, Look::Plain),
             },
             Shape::References { at, references, .. } => {

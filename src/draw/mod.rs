@@ -28,6 +28,7 @@ mod references;
 mod rung;
 mod svg;
 mod text;
+mod timing;
 mod words;
 
 pub use cells::{Align, ElementId, Form, Part, Point, Power, Shape, Style, Symbol, Text};
@@ -35,6 +36,7 @@ pub use references::{References, Run};
 pub use rung::Rung;
 pub use svg::bears_header;
 pub use text::{Glyphs, Line, Look, Piece};
+pub use timing::Timing;
 pub use words::harmless;
 
 use crate::eval::Flow;
@@ -71,6 +73,8 @@ pub struct Drawing {
     pub title: Option<String>,
     /// The comment above its header, line by line.
     pub comment: Vec<String>,
+    /// The moment that is shown, if the power of one is.
+    pub moment: Option<String>,
     /// The source, without folders.
     pub source: String,
     /// Columns, both rails among them.
@@ -113,6 +117,7 @@ impl Drawing {
             name: String::new(),
             title: None,
             comment: Vec::new(),
+            moment: None,
             source: words::harmless(source.file_name()),
             width,
             rungs: Vec::new(),

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::cells::{Align, ElementId, Part, Point, Power, Shape};
+use super::cells::{Align, ElementId, Form, Part, Point, Power, Shape, Style, Symbol};
 use super::fit::{Fitter, From};
 use super::node::{END, START, Series};
 use super::place::Placer;
@@ -60,6 +60,51 @@ impl Rung {
             Align::End => room - width(&text),
         };
         Some((Point { x: at.x + spare, ..*at }, text))
+    }
+
+    /// What the elements did in the scan that is shown, for somebody who hears it.
+    pub(super) fn told(&self) -> String {
+        let Some(seen) = &self.seen else { return String::new() };
+        let mut told = Vec::new();
+        for part in &self.parts {
+            let (Some(element), Some(state)) = (part.element, self.seen(part.element)) else {
+                continue;
+            };
+            let say = |on: &'static str, off: &'static str| if state.is_on { on } else { off };
+            let what = match &part.shape {
+                Shape::Symbol { symbol: Symbol::Contact(_), .. } => say("conducts", "is open"),
+                Shape::Symbol { symbol: Symbol::Coil(_), .. } => say("is on", "is off"),
+                Shape::Frame { .. } => {
+                    let name = self.label(element);
+                    let of = if name.is_empty() { name } else { format!("{name}.") };
+                    let readings = state.readings.iter();
+                    told.extend(readings.map(|reading| of.clone() + &Form::Named.written(reading)));
+                    continue;
+                }
+                _ => continue,
+            };
+            told.push(format!("{} {what}", self.label(element)));
+        }
+        let power = seen.last().is_some_and(|last| last.out);
+        let power = if power { "power to the right end" } else { "no power at the right end" };
+        format!(
+            ". In this scan: {}{power}",
+            told.iter().map(|text| format!("{text}, ")).collect::<String>()
+        )
+    }
+
+    /// The name over a contact, a coil or a block.
+    fn label(&self, element: ElementId) -> String {
+        let names = self.parts.iter().filter_map(|part| match &part.shape {
+            Shape::Text(text) if part.element == Some(element) => {
+                matches!(text.style, Style::Name | Style::Instance).then_some(text.text.as_str())
+            }
+            _ => None,
+        });
+        let mut names: Vec<&str> = names.collect();
+        // Their last line is placed first.
+        names.reverse();
+        names.concat()
     }
 
     /// A series between rails that are `columns` columns apart, itself included.

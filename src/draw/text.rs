@@ -80,8 +80,9 @@ impl Drawing {
         let mut all: Vec<Line> = Vec::new();
         let title = self.title.as_ref().map_or(String::new(), |title| format!(": {title}"));
         let heading = lines(&format!("{}{title}", self.name), self.width);
-        let comment = self.comment.iter().flat_map(|comment| lines(comment, self.width));
-        all.extend(heading.into_iter().chain(comment).map(|line| plain(glyphs.written(&line))));
+        let notes = self.comment.iter().chain(&self.moment);
+        let notes = notes.flat_map(|note| lines(note, self.width));
+        all.extend(heading.into_iter().chain(notes).map(|line| plain(glyphs.written(&line))));
         for rung in &self.rungs {
             all.push(Line::new());
             all.extend(rung.caption(glyphs, self.width));

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use super::{Equations, ExprId, ExprOp, Step, StepKind};
+use crate::blocks::PortRole;
 use crate::index::index;
 use crate::model::{InstanceId, Program, Role, VariableId};
 
@@ -82,6 +83,10 @@ impl Graph {
             for expr in equations.taken_by(number as u32) {
                 read(&mut linker, expr);
             }
+            for variable in in_place(program, step) {
+                linker.reads(step.rung, resource(program, variable));
+                linker.writes(step.rung, resource(program, variable));
+            }
             linker.writes(step.rung, written(program, step));
         }
         let rungs = program.rungs.len();
@@ -115,6 +120,14 @@ fn written(program: &Program, step: &Step) -> Option<Resource> {
             Some(Resource::Instance(instance))
         }
     }
+}
+
+/// The variables of the program that a call reads and writes in place: a shift register's words.
+fn in_place(program: &Program, step: &Step) -> Vec<VariableId> {
+    let StepKind::Call { instance, shape, .. } = &step.kind else { return Vec::new() };
+    let ports = shape.ports.iter().zip(&program.instances[*instance].members);
+    let words = ports.filter(|(port, _)| port.role == PortRole::Register);
+    words.map(|(_, &variable)| variable).collect()
 }
 
 struct Linker {

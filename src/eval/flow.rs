@@ -213,11 +213,16 @@ impl Walk<'_> {
     }
 
     fn reading(&self, name: String, ty: Type, value: i64) -> Reading {
-        let text = match ty {
-            Type::Time => time(value, self.program.tick_ns),
-            _ => value.to_string(),
-        };
+        let text = value_text(ty, value, self.program.tick_ns);
         Reading { name, text, room: room(ty) }
+    }
+}
+
+/// A value as it is shown: decimal, a time with its unit.
+pub fn value_text(ty: Type, value: i64, tick_ns: u64) -> String {
+    match ty {
+        Type::Time => time(value, tick_ns),
+        _ => value.to_string(),
     }
 }
 

@@ -13,7 +13,7 @@ mod why;
 
 pub use evaluator::Evaluator;
 pub use expectation::{Failure, conducts, explain, variables_of, variables_of_tests};
-pub use flow::{Flow, Reading, Seen};
+pub use flow::{Flow, Reading, Seen, value_text};
 pub use machine::{Machine, Row};
 pub use runner::{Outcome, run_test, run_test_on};
 #[cfg(feature = "cli")]

@@ -4,11 +4,12 @@ use std::collections::HashMap;
 
 use la_arena::Arena;
 
+use super::schedule::{Schedule, Sequence, Written};
 use super::words::{self, Typed};
 use super::{Expansion, Options};
 use crate::blocks::{self, PortRole};
 use crate::circuit::{Circuit, Design, Net, Signal, Vector, Version};
-use crate::equations::{Equations, ExprId, ExprOp, Step, StepKind};
+use crate::equations::{Equations, ExprId, ExprOp, Operands, Step, StepKind};
 use crate::index::index;
 use crate::model::{Array, Program, Role, VariableId};
 
@@ -43,7 +44,12 @@ impl<'p> Expansion<'p> {
             modules: Arena::new(),
             by_block: HashMap::new(),
             nets: Vec::with_capacity(equations.exprs.len()),
-            now: vec![None; variables],
+            sequence: None,
+            stage: 0,
+            made_in: Vec::new(),
+            written: vec![Written::default(); variables],
+            held: HashMap::new(),
+            pending: program.instances.iter().map(|_| None).collect(),
             before: vec![None; variables],
             registers: Vec::new(),
             instances: program.instances.iter().map(|_| None).collect(),
@@ -52,14 +58,18 @@ impl<'p> Expansion<'p> {
         }
     }
 
-    pub(super) fn ports(&mut self) {
-        self.circuit.input(blocks::TICK, 1);
+    pub(super) fn ports(&mut self, schedule: Schedule) {
+        let tick = self.circuit.input(blocks::TICK, 1);
+        let Expansion { program, equations, circuit, .. } = self;
+        self.sequence = Sequence::new(schedule, program, equations, circuit, tick);
+        // The tick stands before the program's inputs.
+        let first = self.circuit.inputs.len();
         for (id, variable) in self.program.with_role(Role::Input) {
             let net = self.circuit.input(variable.name.clone(), variable.ty.width());
             self.before[index(id)] = Some(net);
         }
-        // The tick stands before the program's inputs.
-        self.vectors(Role::Input, 1);
+        self.vectors(Role::Input, first);
+        self.prepare_pending();
     }
 
     /// Makes one port of the ports of each array of a role; those of the role begin there.
@@ -83,13 +93,27 @@ impl<'p> Expansion<'p> {
         let Some(written) = self.program.rungs.get(rung as usize) else { return };
         let title = written.title.as_ref().map(|title| format!(" \"{title}\"")).unwrap_or_default();
         let place = format!("{}:{}", options.source, written.line);
-        self.circuit.section(format!("rung {}{title}, {place}", rung + 1), rung + 1);
+        let sequence = self.sequence.as_ref();
+        let stage = sequence.map(|sequence| sequence.remark(rung));
+        let stage = stage.unwrap_or_default();
+        self.circuit.section(format!("rung {}{title}, {place}{stage}", rung + 1), rung + 1);
     }
 
-    /// The value that the last scan left.
+    /// What is made from now on acts in the clock of a step.
+    pub(super) fn enter(&mut self, step: &Step) {
+        if let Some(sequence) = &self.sequence {
+            self.stage = sequence.stage_of(self.program, step);
+        }
+    }
+
+    /// The value that the last scan left, or, where a scan takes several clocks, that its clocks so
+    /// far have left.
     pub(super) fn before(&mut self, variable: VariableId) -> Net {
         if let Some(net) = self.before[index(variable)] {
-            return net;
+            return match self.program.variables[variable].role {
+                Role::Input => self.input(variable, net),
+                _ => net,
+            };
         }
         let declared = &self.program.variables[variable];
         let width = declared.ty.width();
@@ -101,7 +125,8 @@ impl<'p> Expansion<'p> {
                 let called = self.called(instance, shape);
                 let (id, module) = (called.id, called.module);
                 let name = shape.ports[port].name;
-                self.instance_output(id, module, &blocks::last(name), width)
+                let left = self.instance_output(id, module, &blocks::last(name), width);
+                self.unless_cleared(instance, port, left)
             }
             _ if self.last_write[index(variable)].is_none() => {
                 self.circuit.constant(declared.ty.bits(declared.initial), width)
@@ -119,32 +144,49 @@ impl<'p> Expansion<'p> {
     }
 
     pub(super) fn newest(&mut self, variable: VariableId) -> Net {
-        match self.now[index(variable)] {
+        match self.written[index(variable)].at(self.stage) {
             Some(net) => net,
             None => self.before(variable),
         }
     }
 
+    /// The net of an expression, as the stage sees it for which something is made now.
+    pub(super) fn net(&mut self, expr: ExprId) -> Net {
+        let net = self.nets[index(expr)];
+        if self.sequence.is_none() || self.made_in[index(expr)] == self.stage {
+            return net;
+        }
+        // Only reads are shared by rungs.
+        let ExprOp::Read { variable, writer } = self.equations.exprs[expr].op else { return net };
+        let is_own = |sequence: &Sequence, step: u32| {
+            let step = &self.equations.steps[step as usize];
+            sequence.stage_of(self.program, step) == self.stage
+        };
+        match (&self.sequence, writer) {
+            // Of other steps of the stage only units of time are read, which are written once.
+            (Some(sequence), Some(step)) if is_own(sequence, step) => self.newest(variable),
+            _ => self.before(variable),
+        }
+    }
+
     pub(super) fn expr(&mut self, id: ExprId) {
         let expr = self.equations.exprs[id];
-        let get = |expansion: &Self, expr: ExprId| expansion.nets[index(expr)];
         let net = match expr.op {
             ExprOp::Constant(value) => self.circuit.constant(expr.ty.bits(value), expr.ty.width()),
             ExprOp::Read { variable, .. } => self.newest(variable),
             ExprOp::Not(operand) => {
-                let operand = get(self, operand);
+                let operand = self.net(operand);
                 self.circuit.not(operand)
             }
             ExprOp::All(operands) | ExprOp::Any(operands) => {
-                let list =
-                    self.equations.list(operands).iter().map(|&operand| self.nets[index(operand)]);
+                let list = self.list(operands);
                 match expr.op {
                     ExprOp::All(_) => self.circuit.and(list),
                     _ => self.circuit.or(list),
                 }
             }
             ExprOp::Select { power, on, off } => {
-                let (power, on, off) = (get(self, power), get(self, on), get(self, off));
+                let (power, on, off) = (self.net(power), self.net(on), self.net(off));
                 self.circuit.mux(power, on, off)
             }
             ExprOp::Binary(op, a, b) => {
@@ -165,32 +207,38 @@ impl<'p> Expansion<'p> {
                 words::converted(&mut self.circuit, from, expr.ty)
             }
             ExprOp::Bit(whole, bit) => {
-                let whole = get(self, whole);
+                let whole = self.net(whole);
                 self.circuit.slice(whole, bit, 1)
             }
             ExprOp::WithBit { whole, bit, value } => {
-                let (whole, value) = (get(self, whole), get(self, value));
+                let (whole, value) = (self.net(whole), self.net(value));
                 self.circuit.with_bit(whole, bit, value)
             }
             ExprOp::Element { index, elements } => {
                 let index = self.typed(index);
-                let list = self.equations.list(elements).iter();
-                let elements: Vec<Net> = list.map(|&element| get(self, element)).collect();
+                let elements = self.list(elements);
                 words::element(&mut self.circuit, index, &elements)
             }
         };
         self.nets.push(net);
+        if self.sequence.is_some() {
+            self.made_in.push(self.stage);
+        }
     }
 
-    fn typed(&self, expr: ExprId) -> Typed {
-        Typed { net: self.nets[index(expr)], ty: self.equations.exprs[expr].ty }
+    fn list(&mut self, operands: Operands) -> Vec<Net> {
+        self.equations.list(operands).iter().map(|&operand| self.net(operand)).collect()
+    }
+
+    fn typed(&mut self, expr: ExprId) -> Typed {
+        Typed { net: self.net(expr), ty: self.equations.exprs[expr].ty }
     }
 
     pub(super) fn step(&mut self, number: u32, step: &Step) {
         match &step.kind {
             StepKind::Assign { target, value } => {
-                let net = self.nets[index(*value)];
-                self.now[index(*target)] = Some(net);
+                let net = self.net(*value);
+                self.written[index(*target)].set(self.stage, net);
                 let declared = &self.program.variables[*target];
                 if declared.role.is_named() {
                     let is_last = self.last_write[index(*target)] == Some(number);
@@ -213,13 +261,16 @@ impl<'p> Expansion<'p> {
             self.program.with_role(Role::Output).map(|(id, _)| id).collect();
         self.vectors(Role::Output, 0);
         for &variable in outputs.iter().chain(observe) {
-            let net = self.before(variable);
+            let net = self.shown(variable);
             self.circuit.output(self.program.variables[variable].name.clone(), net);
         }
+        self.end_of_scan();
         for (variable, register) in std::mem::take(&mut self.registers) {
-            if let Some(next) = self.now[index(variable)] {
-                self.circuit.drive(register, next);
-            }
+            let written = std::mem::take(&mut self.written[index(variable)]);
+            self.drive(register, &written);
+        }
+        for pending in std::mem::take(&mut self.pending).into_iter().flatten() {
+            self.drive(pending.register, &pending.written);
         }
         let partners = std::mem::take(&mut self.partners);
         for called in std::mem::take(&mut self.instances).into_iter().flatten().chain(partners) {

@@ -1,9 +1,10 @@
 //! Block instances: what the scan gives them, and what they show.
 
 use super::Expansion;
+use super::schedule::Written;
 use crate::blocks::{self, PortRole, Shape};
-use crate::circuit::{self, Circuit, ModuleId, Net};
-use crate::equations::ExprId;
+use crate::circuit::{self, Circuit, ModuleId, Net, RegisterId};
+use crate::equations::{ExprId, StepKind};
 use crate::index::index;
 use crate::model::InstanceId;
 
@@ -16,6 +17,17 @@ pub(super) struct Called {
     given: Vec<Option<Net>>,
     clear_before: Vec<Net>,
     clear_after: Vec<Net>,
+    /// The clock of the scan in which it is called.
+    stage: u32,
+}
+
+/// That a reset coil has put an instance back since its last call, where the coil and the call act
+/// in clocks of their own: the instance itself is put back when it is called next, and until then
+/// readers see what it will be.
+pub(super) struct Pending {
+    pub(super) register: RegisterId,
+    pub(super) written: Written,
+    net: Net,
 }
 
 impl Expansion<'_> {
@@ -49,7 +61,40 @@ impl Expansion<'_> {
             given: vec![None; shape.ports.len()],
             clear_before: Vec::new(),
             clear_after: Vec::new(),
+            stage: self.stage,
         }
+    }
+
+    /// Makes what remembers resets, for the instances that have some, where a scan takes several
+    /// clocks.
+    pub(super) fn prepare_pending(&mut self) {
+        if self.sequence.is_none() {
+            return;
+        }
+        for step in &self.equations.steps {
+            let StepKind::Reset { instance, .. } = step.kind else { continue };
+            let declared = &self.program.instances[instance];
+            let has_inside = declared.shape.ports.iter().any(|port| port.role.is_inside());
+            if has_inside && self.pending[index(instance)].is_none() {
+                let name = format!("{}_cleared", declared.name);
+                let (register, net) = self.circuit.register(name, 1, 0);
+                let written = Written::default();
+                self.pending[index(instance)] = Some(Pending { register, written, net });
+            }
+        }
+    }
+
+    /// What an instance shows at an output, which a reset may have put back since its last call.
+    pub(super) fn unless_cleared(&mut self, instance: InstanceId, port: usize, left: Net) -> Net {
+        let Some(pending) = &self.pending[index(instance)] else { return left };
+        let declared = &self.program.instances[instance];
+        let member = declared.members[port];
+        let mut cleared = declared.cleared(self.program);
+        let Some((port, _, value)) = cleared.find(|&(_, other, _)| other == member) else {
+            return left;
+        };
+        let value = self.circuit.constant(port.ty.bits(value), port.ty.width());
+        self.circuit.mux(pending.net, value, left)
     }
 
     pub(super) fn instance_output(
@@ -72,14 +117,15 @@ impl Expansion<'_> {
     ) {
         let declared = &self.program.instances[instance];
         for &(port, value) in arguments {
-            self.now[index(declared.members[port])] = Some(self.nets[index(value)]);
+            let net = self.net(value);
+            self.written[index(declared.members[port])].set(self.stage, net);
         }
         let given = shape.ports.iter().zip(&declared.members).map(|(port, &member)| {
             let is_read = !port.role.is_inside() && !matches!(port.role, PortRole::Idle { .. });
             is_read.then(|| self.newest(member))
         });
         let given = given.collect();
-        let power = self.nets[index(power)];
+        let power = self.net(power);
         let is_second =
             self.instances[index(instance)].as_ref().is_some_and(|first| first.power.is_some());
         let (id, module);
@@ -89,27 +135,38 @@ impl Expansion<'_> {
             (id, module) = (called.id, called.module);
             self.partners.push(Called { power: Some(power), given, ..called });
         } else {
+            let (stage, off) = (self.stage, self.circuit.bit(false));
+            let pending = self.pending[index(instance)].as_mut().map(|pending| {
+                let net = pending.written.at(stage).unwrap_or(pending.net);
+                pending.written.set(stage, off);
+                net
+            });
             // What the outputs depend on must stand before them.
             let cleared = std::mem::take(&mut self.called(instance, shape).clear_before);
             let cleared = (!cleared.is_empty()).then(|| self.circuit.or(cleared));
             let called = self.called(instance, shape);
             (id, module) = (called.id, called.module);
-            called.clear_before.extend(cleared);
+            called.clear_before.extend(cleared.into_iter().chain(pending));
+            called.stage = stage;
             called.power = Some(power);
             called.given = given;
         }
         for (&member, port) in declared.members.iter().zip(&shape.ports) {
             if port.role.is_result() {
                 let net = self.instance_output(id, module, port.name, port.ty.width());
-                self.now[index(member)] = Some(net);
+                self.written[index(member)].set(self.stage, net);
             }
         }
     }
 
     pub(super) fn reset(&mut self, instance: InstanceId, power: ExprId) {
-        let power = self.nets[index(power)];
+        let power = self.net(power);
         let declared = &self.program.instances[instance];
-        if declared.shape.ports.iter().any(|port| port.role.is_inside()) {
+        if let Some(pending) = &mut self.pending[index(instance)] {
+            let before = pending.written.at(self.stage).unwrap_or(pending.net);
+            let now = self.circuit.or([before, power]);
+            pending.written.set(self.stage, now);
+        } else if declared.shape.ports.iter().any(|port| port.role.is_inside()) {
             let called = self.called(instance, &declared.shape);
             let list = match called.power {
                 None => &mut called.clear_before,
@@ -121,20 +178,22 @@ impl Expansion<'_> {
             if port.role.is_result() {
                 let cleared = self.circuit.constant(port.ty.bits(value), port.ty.width());
                 let off = self.newest(member);
-                self.now[index(member)] = Some(self.circuit.mux(power, cleared, off));
+                let net = self.circuit.mux(power, cleared, off);
+                self.written[index(member)].set(self.stage, net);
             }
         }
     }
 
     /// Gives an instance its inputs, in the order of its module's ports.
     pub(super) fn connect(&mut self, called: Called) {
+        let tick = self.tick(called.stage);
         let circuit = &mut self.circuit;
         let mut given = called.given.iter().flatten();
         let inputs = self.modules[called.module]
             .inputs
             .iter()
             .map(|input| match &*input.name {
-                blocks::TICK => circuit.cells().next().expect("the tick is the first cell").0,
+                blocks::TICK => tick,
                 blocks::POWER => called.power.expect("every instance is called"),
                 blocks::CLEAR_BEFORE => any(circuit, &called.clear_before),
                 blocks::CLEAR_AFTER => any(circuit, &called.clear_after),
@@ -143,6 +202,8 @@ impl Expansion<'_> {
             })
             .collect();
         circuit.instances[called.id].inputs = inputs;
+        let stage = called.stage as usize;
+        circuit.instances[called.id].enable = self.sequence.as_ref().map(|s| s.enables[stage]);
     }
 }
 

@@ -3,6 +3,7 @@
 
 mod expansion;
 mod instances;
+mod schedule;
 mod words;
 
 use std::collections::HashMap;
@@ -14,7 +15,10 @@ use crate::circuit::{self, Circuit, Design, ModuleId, Net, RegisterId, Valid};
 use crate::equations::{self, Equations, ExprId};
 use crate::index::index;
 use crate::model::{Program, VariableId};
-use instances::Called;
+use instances::{Called, Pending};
+use schedule::{Sequence, Written};
+
+pub use schedule::{SCAN_DONE, SCAN_START, Schedule};
 
 /// What goes into the circuit beside the program.
 #[derive(Clone, Debug, Default)]
@@ -23,6 +27,8 @@ pub struct Options {
     pub source: String,
     /// Variables, members among them, to show at ports of their own.
     pub observe: Vec<VariableId>,
+    /// In which clocks of a scan the rungs act.
+    pub schedule: Schedule,
 }
 
 /// The circuit of a program, ready for every hardware back end.
@@ -40,13 +46,12 @@ pub fn compile_as(name: &str, program: &Program, options: &Options) -> Valid<Des
     design.validate().unwrap_or_else(|invalid| panic!("the compiler is at fault: {invalid}"))
 }
 
-/// The design of a program: its core, in the schedule that runs a scan in one clock, and the
-/// modules of the blocks that it calls, under a name. Behaviour is that of the equations; nothing is
-/// simplified yet.
+/// The design of a program: its core, in a schedule, and the modules of the blocks that it calls,
+/// under a name. Behaviour is that of the equations; nothing is simplified yet.
 pub fn expand(name: &str, program: &Program, equations: &Equations, options: &Options) -> Design {
     let mut expansion = Expansion::new(program, equations);
     expansion.circuit.name = name.to_owned();
-    expansion.ports();
+    expansion.ports(options.schedule);
     let mut exprs = equations.exprs.iter().map(|(id, _)| id);
     let mut made = 0;
     let mut rung = None;
@@ -54,6 +59,7 @@ pub fn expand(name: &str, program: &Program, equations: &Equations, options: &Op
         if rung.replace(step.rung) != Some(step.rung) {
             expansion.section(step.rung, options);
         }
+        expansion.enter(step);
         for expr in exprs.by_ref().take((step.exprs - made) as usize) {
             expansion.expr(expr);
         }
@@ -103,8 +109,18 @@ struct Expansion<'p> {
     by_block: HashMap<blocks::Key, ModuleId>,
     /// The net of each expression made so far.
     nets: Vec<Net>,
-    /// The newest value of each variable, if this scan has written it.
-    now: Vec<Option<Net>>,
+    /// The clocks of a scan, if it takes several.
+    sequence: Option<Sequence>,
+    /// The clock of the scan in which the rung acts that is made now.
+    stage: u32,
+    /// The stage for which each expression was made, if there are several.
+    made_in: Vec<u32>,
+    /// What this scan has written into each variable.
+    written: Vec<Written>,
+    /// Inputs as they were when the scan started.
+    held: HashMap<VariableId, Net>,
+    /// By instance, whether a reset coil has put it back since its last call.
+    pending: Vec<Option<Pending>>,
     /// The value that the last scan left in each variable, once somebody asks.
     before: Vec<Option<Net>>,
     registers: Vec<(VariableId, RegisterId)>,

@@ -95,6 +95,10 @@ fn random_of(seed: u64, has_products: bool) -> Valid<Design> {
         let width = circuit.registers[id].width;
         let next = circuit.resize(next, width, random.bool());
         circuit.drive(id, next);
+        if random.bool() {
+            let enable = of_width(&mut circuit, &mut random, &nets, Some(1));
+            circuit.drive_where(enable, id, next);
+        }
     }
     for index in 0..8 {
         let net = of_width(&mut circuit, &mut random, &nets, None);

@@ -24,7 +24,11 @@ impl<'a> Interpreter<'a> {
         }
         let value = |net: hotrail::circuit::Net| values[u32::from(net.into_raw()) as usize];
         let outputs = self.circuit.outputs.iter().map(|output| value(output.net)).collect();
-        self.registers = self.circuit.registers.values().map(|r| value(r.next)).collect();
+        let registers = self.circuit.registers.values().zip(&self.registers);
+        let stays = |enable: Option<_>| enable.is_some_and(|enable| value(enable) == 0);
+        self.registers = registers
+            .map(|(r, &held)| if stays(r.enable) { held } else { value(r.next) })
+            .collect();
         outputs
     }
 

@@ -51,37 +51,32 @@ module cash_register_CTUD (
 endmodule
 
 module cash_register (
-  input  wire        clk,
-  input  wire        rst,
-  input  wire        tick,
-  input  wire        key_combo,
-  input  wire        key_double,
-  input  wire        key_junior,
-  input  wire        key_burger,
-  input  wire        key_fries,
-  input  wire        key_drink,
-  input  wire        cancel_last,
-  input  wire        total_key,
-  input  wire        new_order,
-  input  wire        new_day,
-  input  wire        to_go,
-  output wire        lamp_combo,
-  output wire        lamp_double,
-  output wire        lamp_junior,
-  output wire        lamp_burger,
-  output wire        lamp_fries,
-  output wire        lamp_drink,
-  output wire [31:0] subtotal,
-  output wire [31:0] tax,
-  output wire [31:0] total,
-  output wire        paid,
-  output wire [31:0] sold_0,
-  output wire [31:0] sold_1,
-  output wire [31:0] sold_2,
-  output wire [31:0] sold_3,
-  output wire [31:0] sold_4,
-  output wire [31:0] sold_5,
-  output wire [31:0] profit
+  input  wire         clk,
+  input  wire         rst,
+  input  wire         tick,
+  input  wire         key_combo,
+  input  wire         key_double,
+  input  wire         key_junior,
+  input  wire         key_burger,
+  input  wire         key_fries,
+  input  wire         key_drink,
+  input  wire         cancel_last,
+  input  wire         total_key,
+  input  wire         new_order,
+  input  wire         new_day,
+  input  wire         to_go,
+  output wire         lamp_combo,
+  output wire         lamp_double,
+  output wire         lamp_junior,
+  output wire         lamp_burger,
+  output wire         lamp_fries,
+  output wire         lamp_drink,
+  output wire [31:0]  subtotal,
+  output wire [31:0]  tax,
+  output wire [31:0]  total,
+  output wire         paid,
+  output wire [191:0] sold,
+  output wire [31:0]  profit
 );
   reg key_drink_before = 1'b0;
   reg key_fries_before = 1'b0;
@@ -105,12 +100,12 @@ module cash_register (
   reg [27:0] tax_reg = 28'd0;
   reg [31:0] total_reg = 32'd0;
   reg total_key_before = 1'b0;
-  reg [31:0] sold_0_reg = 32'd0;
-  reg [31:0] sold_1_reg = 32'd0;
-  reg [31:0] sold_2_reg = 32'd0;
-  reg [31:0] sold_3_reg = 32'd0;
-  reg [31:0] sold_4_reg = 32'd0;
-  reg [31:0] sold_5_reg = 32'd0;
+  reg [31:0] sold_0 = 32'd0;
+  reg [31:0] sold_1 = 32'd0;
+  reg [31:0] sold_2 = 32'd0;
+  reg [31:0] sold_3 = 32'd0;
+  reg [31:0] sold_4 = 32'd0;
+  reg [31:0] sold_5 = 32'd0;
   reg [31:0] profit_reg = 32'd0;
   reg new_day_before = 1'b0;
   reg lamp_combo_reg = 1'b0;
@@ -146,27 +141,35 @@ module cash_register (
   // rung 9 "remember what was entered", cash_register.ladder:62
   wire rung9_unequal = entry != 4'd15;
   wire rung9_equal = place == 3'd0;
-  wire [2:0] last_0_next = (rung9_unequal & rung9_equal) ? entry[2:0] : last_0;
+  wire [2:0] rung9_choice = rung9_equal ? entry[2:0] : last_0;
+  wire [2:0] last_0_next = rung9_unequal ? rung9_choice : last_0;
   wire rung9_equal_2 = place == 3'd1;
-  wire [2:0] last_1_next = (rung9_unequal & rung9_equal_2) ? entry[2:0] : last_1;
+  wire [2:0] rung9_choice_2 = rung9_equal_2 ? entry[2:0] : last_1;
+  wire [2:0] last_1_next = rung9_unequal ? rung9_choice_2 : last_1;
   wire rung9_equal_3 = place == 3'd2;
-  wire [2:0] last_2_next = (rung9_unequal & rung9_equal_3) ? entry[2:0] : last_2;
+  wire [2:0] rung9_choice_3 = rung9_equal_3 ? entry[2:0] : last_2;
+  wire [2:0] last_2_next = rung9_unequal ? rung9_choice_3 : last_2;
   wire rung9_equal_4 = place == 3'd3;
-  wire [2:0] last_3_next = (rung9_unequal & rung9_equal_4) ? entry[2:0] : last_3;
+  wire [2:0] rung9_choice_4 = rung9_equal_4 ? entry[2:0] : last_3;
+  wire [2:0] last_3_next = rung9_unequal ? rung9_choice_4 : last_3;
   wire rung9_equal_5 = place == 3'd4;
-  wire [2:0] last_4_next = (rung9_unequal & rung9_equal_5) ? entry[2:0] : last_4;
+  wire [2:0] rung9_choice_5 = rung9_equal_5 ? entry[2:0] : last_4;
+  wire [2:0] last_4_next = rung9_unequal ? rung9_choice_5 : last_4;
   wire rung9_equal_6 = place == 3'd5;
-  wire [2:0] last_5_next = (rung9_unequal & rung9_equal_6) ? entry[2:0] : last_5;
+  wire [2:0] rung9_choice_6 = rung9_equal_6 ? entry[2:0] : last_5;
+  wire [2:0] last_5_next = rung9_unequal ? rung9_choice_6 : last_5;
   wire rung9_equal_7 = place == 3'd6;
-  wire [2:0] last_6_next = (rung9_unequal & rung9_equal_7) ? entry[2:0] : last_6;
+  wire [2:0] rung9_choice_7 = rung9_equal_7 ? entry[2:0] : last_6;
+  wire [2:0] last_6_next = rung9_unequal ? rung9_choice_7 : last_6;
   wire rung9_equal_8 = place == 3'd7;
-  wire [2:0] last_7_next = (rung9_unequal & rung9_equal_8) ? entry[2:0] : last_7;
+  wire [2:0] rung9_choice_8 = rung9_equal_8 ? entry[2:0] : last_7;
+  wire [2:0] last_7_next = rung9_unequal ? rung9_choice_8 : last_7;
   wire [3:0] rung9_sum = {1'b0, place} + 4'd1;
   wire [2:0] place_rung9 = rung9_unequal ? rung9_sum[2:0] : place;
   wire [15:0] rung9_sum_2 = kept + 16'd1;
   wire rung9_greater = rung9_sum_2 > 16'd8;
-  wire [3:0] rung9_choice = rung9_greater ? 4'd8 : rung9_sum_2[3:0];
-  wire [15:0] kept_rung9 = rung9_unequal ? {12'b0, rung9_choice} : kept;
+  wire [3:0] rung9_choice_9 = rung9_greater ? 4'd8 : rung9_sum_2[3:0];
+  wire [15:0] kept_rung9 = rung9_unequal ? {12'b0, rung9_choice_9} : kept;
 
   // rung 10 "take the last entry back", cash_register.ladder:66
 
@@ -360,18 +363,18 @@ module cash_register (
   wire rung35_greater = $signed(subtotal_next) > 32'sd0;
   wire rung35_power = total_key & ~total_key_before & ~paid_rung12 & rung35_greater;
   wire paid_next = rung35_power | paid_rung12;
-  wire [31:0] rung35_sum = sold_0_reg + {{16{count_combo_CV[15]}}, count_combo_CV};
-  wire [31:0] sold_0_rung35 = rung35_power ? rung35_sum : sold_0_reg;
-  wire [31:0] rung35_sum_2 = sold_1_reg + {{16{count_double_CV[15]}}, count_double_CV};
-  wire [31:0] sold_1_rung35 = rung35_power ? rung35_sum_2 : sold_1_reg;
-  wire [31:0] rung35_sum_3 = sold_2_reg + {{16{count_junior_CV[15]}}, count_junior_CV};
-  wire [31:0] sold_2_rung35 = rung35_power ? rung35_sum_3 : sold_2_reg;
-  wire [31:0] rung35_sum_4 = sold_3_reg + {{16{count_burger_CV[15]}}, count_burger_CV};
-  wire [31:0] sold_3_rung35 = rung35_power ? rung35_sum_4 : sold_3_reg;
-  wire [31:0] rung35_sum_5 = sold_4_reg + {{16{count_fries_CV[15]}}, count_fries_CV};
-  wire [31:0] sold_4_rung35 = rung35_power ? rung35_sum_5 : sold_4_reg;
-  wire [31:0] rung35_sum_6 = sold_5_reg + {{16{count_drink_CV[15]}}, count_drink_CV};
-  wire [31:0] sold_5_rung35 = rung35_power ? rung35_sum_6 : sold_5_reg;
+  wire [31:0] rung35_sum = sold_0 + {{16{count_combo_CV[15]}}, count_combo_CV};
+  wire [31:0] sold_0_rung35 = rung35_power ? rung35_sum : sold_0;
+  wire [31:0] rung35_sum_2 = sold_1 + {{16{count_double_CV[15]}}, count_double_CV};
+  wire [31:0] sold_1_rung35 = rung35_power ? rung35_sum_2 : sold_1;
+  wire [31:0] rung35_sum_3 = sold_2 + {{16{count_junior_CV[15]}}, count_junior_CV};
+  wire [31:0] sold_2_rung35 = rung35_power ? rung35_sum_3 : sold_2;
+  wire [31:0] rung35_sum_4 = sold_3 + {{16{count_burger_CV[15]}}, count_burger_CV};
+  wire [31:0] sold_3_rung35 = rung35_power ? rung35_sum_4 : sold_3;
+  wire [31:0] rung35_sum_5 = sold_4 + {{16{count_fries_CV[15]}}, count_fries_CV};
+  wire [31:0] sold_4_rung35 = rung35_power ? rung35_sum_5 : sold_4;
+  wire [31:0] rung35_sum_6 = sold_5 + {{16{count_drink_CV[15]}}, count_drink_CV};
+  wire [31:0] sold_5_rung35 = rung35_power ? rung35_sum_6 : sold_5;
   wire [31:0] rung35_sum_7 = profit_reg + earned;
   wire [31:0] profit_rung35 = rung35_power ? rung35_sum_7 : profit_reg;
 
@@ -395,12 +398,12 @@ module cash_register (
   assign tax = tax_value;
   assign total = total_reg;
   assign paid = paid_reg;
-  assign sold_0 = sold_0_reg;
-  assign sold_1 = sold_1_reg;
-  assign sold_2 = sold_2_reg;
-  assign sold_3 = sold_3_reg;
-  assign sold_4 = sold_4_reg;
-  assign sold_5 = sold_5_reg;
+  assign sold[31:0] = sold_0;
+  assign sold[63:32] = sold_1;
+  assign sold[95:64] = sold_2;
+  assign sold[127:96] = sold_3;
+  assign sold[159:128] = sold_4;
+  assign sold[191:160] = sold_5;
   assign profit = profit_reg;
 
   always @(posedge clk) begin
@@ -427,12 +430,12 @@ module cash_register (
       tax_reg <= 28'd0;
       total_reg <= 32'd0;
       total_key_before <= 1'b0;
-      sold_0_reg <= 32'd0;
-      sold_1_reg <= 32'd0;
-      sold_2_reg <= 32'd0;
-      sold_3_reg <= 32'd0;
-      sold_4_reg <= 32'd0;
-      sold_5_reg <= 32'd0;
+      sold_0 <= 32'd0;
+      sold_1 <= 32'd0;
+      sold_2 <= 32'd0;
+      sold_3 <= 32'd0;
+      sold_4 <= 32'd0;
+      sold_5 <= 32'd0;
       profit_reg <= 32'd0;
       new_day_before <= 1'b0;
       lamp_combo_reg <= 1'b0;
@@ -464,12 +467,12 @@ module cash_register (
       tax_reg <= tax_next;
       total_reg <= total_next;
       total_key_before <= total_key;
-      sold_0_reg <= sold_0_next;
-      sold_1_reg <= sold_1_next;
-      sold_2_reg <= sold_2_next;
-      sold_3_reg <= sold_3_next;
-      sold_4_reg <= sold_4_next;
-      sold_5_reg <= sold_5_next;
+      sold_0 <= sold_0_next;
+      sold_1 <= sold_1_next;
+      sold_2 <= sold_2_next;
+      sold_3 <= sold_3_next;
+      sold_4 <= sold_4_next;
+      sold_5 <= sold_5_next;
       profit_reg <= profit_next;
       new_day_before <= new_day;
       lamp_combo_reg <= lamp_combo_next;

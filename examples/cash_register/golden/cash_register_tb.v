@@ -270,12 +270,7 @@ module cash_register_tb;
   wire [31:0] tax;
   wire [31:0] total;
   wire paid;
-  wire [31:0] sold_0;
-  wire [31:0] sold_1;
-  wire [31:0] sold_2;
-  wire [31:0] sold_3;
-  wire [31:0] sold_4;
-  wire [31:0] sold_5;
+  wire [191:0] sold;
   wire [31:0] profit;
   reg failed;
   integer failures;
@@ -305,12 +300,7 @@ module cash_register_tb;
     .tax(tax),
     .total(total),
     .paid(paid),
-    .sold_0(sold_0),
-    .sold_1(sold_1),
-    .sold_2(sold_2),
-    .sold_3(sold_3),
-    .sold_4(sold_4),
-    .sold_5(sold_5),
+    .sold(sold),
     .profit(profit)
   );
 
@@ -479,13 +469,13 @@ module cash_register_tb;
     .lamp_burger(lamp_burger),
     .lamp_drink(lamp_drink),
     .profit(profit),
-    .sold_0(sold_0),
+    .sold_0(sold[31:0]),
     .paid(paid),
-    .sold_5(sold_5),
-    .sold_4(sold_4),
-    .sold_1(sold_1),
-    .sold_3(sold_3),
-    .sold_2(sold_2),
+    .sold_5(sold[191:160]),
+    .sold_4(sold[159:128]),
+    .sold_1(sold[63:32]),
+    .sold_3(sold[127:96]),
+    .sold_2(sold[95:64]),
     .expect_0_0(expect_0_0),
     .expect_0_1(expect_0_1),
     .expect_0_2(expect_0_2),
@@ -968,13 +958,13 @@ module cash_register_tb;
     scan(1, 1'b0);
     #1 if (!failed && &expect_28 !== 1'b1) begin // cash_register.ladder:217
       failed = 1'b1;
-      $display("# failed expectation 28 conducts %b profit=%b sold_0=%b paid=%b at %0s", expect_28, profit, sold_0, paid, "cash_register.ladder:217");
+      $display("# failed expectation 28 conducts %b profit=%b sold[0]=%b paid=%b at %0s", expect_28, profit, sold[31:0], paid, "cash_register.ladder:217");
     end
     total_key = 1'd1;
     scan(5, 1'b0);
     #1 if (!failed && &expect_29 !== 1'b1) begin // cash_register.ladder:219
       failed = 1'b1;
-      $display("# failed expectation 29 conducts %b paid=%b total=%b profit=%b sold_0=%b sold_5=%b sold_4=%b at %0s", expect_29, paid, total, profit, sold_0, sold_5, sold_4, "cash_register.ladder:219");
+      $display("# failed expectation 29 conducts %b paid=%b total=%b profit=%b sold[0]=%b sold[5]=%b sold[4]=%b at %0s", expect_29, paid, total, profit, sold[31:0], sold[191:160], sold[159:128], "cash_register.ladder:219");
     end
     total_key = 1'd0;
     scan(1, 1'b0);
@@ -992,7 +982,7 @@ module cash_register_tb;
     scan(1, 1'b0);
     #1 if (!failed && &expect_30 !== 1'b1) begin // cash_register.ladder:225
       failed = 1'b1;
-      $display("# failed expectation 30 conducts %b paid=%b total=%b profit=%b sold_0=%b at %0s", expect_30, paid, total, profit, sold_0, "cash_register.ladder:225");
+      $display("# failed expectation 30 conducts %b paid=%b total=%b profit=%b sold[0]=%b at %0s", expect_30, paid, total, profit, sold[31:0], "cash_register.ladder:225");
     end
     new_order = 1'd1;
     scan(1, 1'b0);
@@ -1016,7 +1006,7 @@ module cash_register_tb;
     scan(1, 1'b0);
     #1 if (!failed && &expect_32 !== 1'b1) begin // cash_register.ladder:231
       failed = 1'b1;
-      $display("# failed expectation 32 conducts %b total=%b profit=%b sold_1=%b sold_0=%b at %0s", expect_32, total, profit, sold_1, sold_0, "cash_register.ladder:231");
+      $display("# failed expectation 32 conducts %b total=%b profit=%b sold[1]=%b sold[0]=%b at %0s", expect_32, total, profit, sold[63:32], sold[31:0], "cash_register.ladder:231");
     end
     if (failed) begin
       failures = failures + 1;
@@ -1036,7 +1026,7 @@ module cash_register_tb;
     scan(1, 1'b0);
     #1 if (!failed && &expect_33 !== 1'b1) begin // cash_register.ladder:236
       failed = 1'b1;
-      $display("# failed expectation 33 conducts %b total=%b profit=%b sold_0=%b at %0s", expect_33, total, profit, sold_0, "cash_register.ladder:236");
+      $display("# failed expectation 33 conducts %b total=%b profit=%b sold[0]=%b at %0s", expect_33, total, profit, sold[31:0], "cash_register.ladder:236");
     end
     total_key = 1'd1;
     scan(1, 1'b0);
@@ -1072,7 +1062,7 @@ module cash_register_tb;
     scan(1, 1'b0);
     #1 if (!failed && &expect_35 !== 1'b1) begin // cash_register.ladder:245
       failed = 1'b1;
-      $display("# failed expectation 35 conducts %b profit=%b sold_3=%b sold_4=%b sold_5=%b sold_0=%b at %0s", expect_35, profit, sold_3, sold_4, sold_5, sold_0, "cash_register.ladder:245");
+      $display("# failed expectation 35 conducts %b profit=%b sold[3]=%b sold[4]=%b sold[5]=%b sold[0]=%b at %0s", expect_35, profit, sold[127:96], sold[159:128], sold[191:160], sold[31:0], "cash_register.ladder:245");
     end
     if (failed) begin
       failures = failures + 1;
@@ -1100,13 +1090,13 @@ module cash_register_tb;
     scan(1, 1'b0);
     #1 if (!failed && &expect_36 !== 1'b1) begin // cash_register.ladder:253
       failed = 1'b1;
-      $display("# failed expectation 36 conducts %b profit=%b sold_2=%b at %0s", expect_36, profit, sold_2, "cash_register.ladder:253");
+      $display("# failed expectation 36 conducts %b profit=%b sold[2]=%b at %0s", expect_36, profit, sold[95:64], "cash_register.ladder:253");
     end
     new_day = 1'd1;
     scan(1, 1'b0);
     #1 if (!failed && &expect_37 !== 1'b1) begin // cash_register.ladder:255
       failed = 1'b1;
-      $display("# failed expectation 37 conducts %b profit=%b sold_2=%b lamp_burger=%b at %0s", expect_37, profit, sold_2, lamp_burger, "cash_register.ladder:255");
+      $display("# failed expectation 37 conducts %b profit=%b sold[2]=%b lamp_burger=%b at %0s", expect_37, profit, sold[95:64], lamp_burger, "cash_register.ladder:255");
     end
     total_key = 1'd1;
     scan(1, 1'b0);
@@ -1114,7 +1104,7 @@ module cash_register_tb;
     scan(1, 1'b0);
     #1 if (!failed && &expect_38 !== 1'b1) begin // cash_register.ladder:257
       failed = 1'b1;
-      $display("# failed expectation 38 conducts %b profit=%b sold_3=%b at %0s", expect_38, profit, sold_3, "cash_register.ladder:257");
+      $display("# failed expectation 38 conducts %b profit=%b sold[3]=%b at %0s", expect_38, profit, sold[127:96], "cash_register.ladder:257");
     end
     if (failed) begin
       failures = failures + 1;

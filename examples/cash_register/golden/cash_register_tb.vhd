@@ -282,12 +282,7 @@ architecture tests of cash_register_tb is
   signal tax : std_logic_vector(31 downto 0);
   signal total : std_logic_vector(31 downto 0);
   signal paid : std_logic;
-  signal sold_0 : std_logic_vector(31 downto 0);
-  signal sold_1 : std_logic_vector(31 downto 0);
-  signal sold_2 : std_logic_vector(31 downto 0);
-  signal sold_3 : std_logic_vector(31 downto 0);
-  signal sold_4 : std_logic_vector(31 downto 0);
-  signal sold_5 : std_logic_vector(31 downto 0);
+  signal sold : std_logic_vector(191 downto 0);
   signal profit : std_logic_vector(31 downto 0);
   signal expect_0_0 : std_logic;
   signal expect_0_1 : std_logic;
@@ -445,12 +440,7 @@ begin
       tax => tax,
       total => total,
       paid => paid,
-      sold_0 => sold_0,
-      sold_1 => sold_1,
-      sold_2 => sold_2,
-      sold_3 => sold_3,
-      sold_4 => sold_4,
-      sold_5 => sold_5,
+      sold => sold,
       profit => profit
     );
 
@@ -468,13 +458,13 @@ begin
       lamp_burger => lamp_burger,
       lamp_drink => lamp_drink,
       profit => profit,
-      sold_0 => sold_0,
+      sold_0 => sold(31 downto 0),
       paid => paid,
-      sold_5 => sold_5,
-      sold_4 => sold_4,
-      sold_1 => sold_1,
-      sold_3 => sold_3,
-      sold_2 => sold_2,
+      sold_5 => sold(191 downto 160),
+      sold_4 => sold(159 downto 128),
+      sold_1 => sold(63 downto 32),
+      sold_3 => sold(127 downto 96),
+      sold_2 => sold(95 downto 64),
       expect_0_0 => expect_0_0,
       expect_0_1 => expect_0_1,
       expect_0_2 => expect_0_2,
@@ -1060,7 +1050,7 @@ begin
       failed := true;
       print("# failed expectation 28 conducts " & image(expect_28_0) & image(expect_28_1) & image(expect_28_2)
           & " profit=" & image(profit)
-          & " sold_0=" & image(sold_0)
+          & " sold[0]=" & image(sold(31 downto 0))
           & " paid=" & image(paid));
     end if;
     total_key <= '1';
@@ -1072,9 +1062,9 @@ begin
           & " paid=" & image(paid)
           & " total=" & image(total)
           & " profit=" & image(profit)
-          & " sold_0=" & image(sold_0)
-          & " sold_5=" & image(sold_5)
-          & " sold_4=" & image(sold_4));
+          & " sold[0]=" & image(sold(31 downto 0))
+          & " sold[5]=" & image(sold(191 downto 160))
+          & " sold[4]=" & image(sold(159 downto 128)));
     end if;
     total_key <= '0';
     scan(1, '0');
@@ -1097,7 +1087,7 @@ begin
           & " paid=" & image(paid)
           & " total=" & image(total)
           & " profit=" & image(profit)
-          & " sold_0=" & image(sold_0));
+          & " sold[0]=" & image(sold(31 downto 0)));
     end if;
     new_order <= '1';
     scan(1, '0');
@@ -1130,8 +1120,8 @@ begin
       print("# failed expectation 32 conducts " & image(expect_32_0) & image(expect_32_1) & image(expect_32_2) & image(expect_32_3)
           & " total=" & image(total)
           & " profit=" & image(profit)
-          & " sold_1=" & image(sold_1)
-          & " sold_0=" & image(sold_0));
+          & " sold[1]=" & image(sold(63 downto 32))
+          & " sold[0]=" & image(sold(31 downto 0)));
     end if;
     if failed then
       failures := failures + 1;
@@ -1157,7 +1147,7 @@ begin
       print("# failed expectation 33 conducts " & image(expect_33_0) & image(expect_33_1) & image(expect_33_2)
           & " total=" & image(total)
           & " profit=" & image(profit)
-          & " sold_0=" & image(sold_0));
+          & " sold[0]=" & image(sold(31 downto 0)));
     end if;
     total_key <= '1';
     scan(1, '0');
@@ -1201,10 +1191,10 @@ begin
       failed := true;
       print("# failed expectation 35 conducts " & image(expect_35_0) & image(expect_35_1) & image(expect_35_2) & image(expect_35_3) & image(expect_35_4)
           & " profit=" & image(profit)
-          & " sold_3=" & image(sold_3)
-          & " sold_4=" & image(sold_4)
-          & " sold_5=" & image(sold_5)
-          & " sold_0=" & image(sold_0));
+          & " sold[3]=" & image(sold(127 downto 96))
+          & " sold[4]=" & image(sold(159 downto 128))
+          & " sold[5]=" & image(sold(191 downto 160))
+          & " sold[0]=" & image(sold(31 downto 0)));
     end if;
     if failed then
       failures := failures + 1;
@@ -1237,7 +1227,7 @@ begin
       failed := true;
       print("# failed expectation 36 conducts " & image(expect_36_0) & image(expect_36_1)
           & " profit=" & image(profit)
-          & " sold_2=" & image(sold_2));
+          & " sold[2]=" & image(sold(95 downto 64)));
     end if;
     new_day <= '1';
     scan(1, '0');
@@ -1246,7 +1236,7 @@ begin
       failed := true;
       print("# failed expectation 37 conducts " & image(expect_37_0) & image(expect_37_1) & image(expect_37_2)
           & " profit=" & image(profit)
-          & " sold_2=" & image(sold_2)
+          & " sold[2]=" & image(sold(95 downto 64))
           & " lamp_burger=" & image(lamp_burger));
     end if;
     total_key <= '1';
@@ -1258,7 +1248,7 @@ begin
       failed := true;
       print("# failed expectation 38 conducts " & image(expect_38_0) & image(expect_38_1)
           & " profit=" & image(profit)
-          & " sold_3=" & image(sold_3));
+          & " sold[3]=" & image(sold(127 downto 96)));
     end if;
     if failed then
       failures := failures + 1;

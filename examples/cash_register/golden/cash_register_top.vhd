@@ -30,12 +30,7 @@ entity cash_register_top is
     tax         : out std_logic_vector(31 downto 0);
     total       : out std_logic_vector(31 downto 0);
     paid        : out std_logic;
-    sold_0      : out std_logic_vector(31 downto 0);
-    sold_1      : out std_logic_vector(31 downto 0);
-    sold_2      : out std_logic_vector(31 downto 0);
-    sold_3      : out std_logic_vector(31 downto 0);
-    sold_4      : out std_logic_vector(31 downto 0);
-    sold_5      : out std_logic_vector(31 downto 0);
+    sold        : out std_logic_vector(191 downto 0);
     profit      : out std_logic_vector(31 downto 0)
   );
 end entity cash_register_top;
@@ -175,12 +170,7 @@ begin
       tax => tax,
       total => total,
       paid => paid,
-      sold_0 => sold_0,
-      sold_1 => sold_1,
-      sold_2 => sold_2,
-      sold_3 => sold_3,
-      sold_4 => sold_4,
-      sold_5 => sold_5,
+      sold => sold,
       profit => profit
     );
 end architecture rtl;

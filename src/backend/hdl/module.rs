@@ -56,6 +56,8 @@ pub struct PortNames {
     pub clock: &'static str,
     /// The reset.
     pub reset: &'static str,
+    /// The second input starts a scan and the last output tells its end.
+    pub has_scan_ports: bool,
     /// The inputs.
     pub inputs: Vec<PortName>,
     /// The outputs.
@@ -83,6 +85,7 @@ impl PortNames {
             bench,
             clock: super::names::CLOCK,
             reset: reset.port(),
+            has_scan_ports: design.top().has_scan_ports,
             inputs: named(inputs),
             outputs: named(outputs),
         }
@@ -94,13 +97,17 @@ pub fn modules(design: &Design, reset: ResetStyle) -> Vec<Module<'_>> {
     let ModuleNames { modules: names, all, .. } = module_names(design);
     let mut modules: Vec<Module<'_>> = Vec::new();
     let last = names.len() - 1;
+    let instances = design.modules.values().flat_map(|circuit| circuit.instances.values());
+    let enabled = instances.filter(|instance| instance.enable.is_some());
+    let enabled: HashSet<usize> = enabled.map(|instance| index(instance.module)).collect();
     for (place, (circuit, name)) in design.modules.values().zip(names).enumerate() {
         let is_top = place == last;
         let has_clock = is_top
             || !circuit.registers.is_empty()
             || circuit.instances.values().any(|inner| modules[index(inner.module)].has_clock);
         let plan = Plan::new(circuit);
-        let naming = Naming::new(design, circuit, &plan, reset, &all);
+        let is_enabled = has_clock && enabled.contains(&place);
+        let naming = Naming::new(design, circuit, &plan, reset, is_enabled, &all);
         let items = order::items(circuit, &plan, &naming);
         modules.push(Module { circuit, name, is_top, has_clock, reset, items, plan, naming });
     }
@@ -177,6 +184,11 @@ impl<'a> Module<'a> {
     /// The names of the clock and reset ports, if there are any.
     pub fn clock_and_reset(&self) -> Option<[&str; 2]> {
         self.has_clock.then(|| [self.naming.clock, self.naming.reset].map(|id| self.text(id)))
+    }
+
+    /// The name of the port without which no register takes a value, if there is one.
+    pub fn enable(&self) -> Option<&str> {
+        self.naming.enable.map(|id| self.text(id))
     }
 
     /// Each printed input port and its name.

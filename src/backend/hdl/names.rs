@@ -23,11 +23,15 @@ use super::keywords;
 pub const MAX_LENGTH: usize = 64;
 
 /// The ports that every printed program has, in all their forms. They are fixed.
-pub const FIXED_PORTS: [&str; 4] = [CLOCK, "rst", "rst_n", TICK];
+pub const FIXED_PORTS: [&str; 6] = [CLOCK, "rst", "rst_n", SCAN_DONE, SCAN_START, TICK];
 /// The clock port.
 pub const CLOCK: &str = "clk";
 /// The port that says that a scan has the tick.
 pub const TICK: &str = "tick";
+/// The port that starts a scan, where a scan takes several clocks.
+pub const SCAN_START: &str = "scan_start";
+/// The port that is 1 in the last clock of such a scan.
+pub const SCAN_DONE: &str = "scan_done";
 
 /// A name in a table of [`Names`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

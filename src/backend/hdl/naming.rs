@@ -22,6 +22,8 @@ pub struct Naming {
     pub clock: NameId,
     /// The reset port.
     pub reset: NameId,
+    /// The port without which no register takes a value.
+    pub enable: Option<NameId>,
     /// Printed input ports.
     pub input_ports: Vec<Port>,
     /// Printed output ports.
@@ -55,17 +57,20 @@ pub struct Alias {
 }
 
 impl Naming {
-    /// Names everything; `outer` holds the names of modules in lower case.
+    /// Names everything; `outer` holds the names of modules in lower case. Where the circuit's
+    /// instances are enabled it has a port for that.
     pub fn new(
         design: &Design,
         circuit: &Circuit,
         plan: &Plan,
         reset: ResetStyle,
+        is_enabled: bool,
         outer: &HashSet<String>,
     ) -> Naming {
         let mut namer = Namer::new(outer);
         let clock = namer.fix(names::CLOCK);
         let reset = namer.fix(reset.port());
+        let enable = is_enabled.then(|| namer.take("enable", ""));
         let (input_ports, output_ports) = ports::name(circuit, &mut namer);
         let mut inputs = Vec::with_capacity(circuit.inputs.len());
         for port in &input_ports {
@@ -79,6 +84,7 @@ impl Naming {
             names: Names::default(),
             clock,
             reset,
+            enable,
             unused: clock,
             input_ports,
             output_ports,

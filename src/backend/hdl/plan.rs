@@ -192,10 +192,12 @@ impl Plan {
     fn note_roots(&mut self, circuit: &Circuit) {
         for (_, register) in circuit.registers.iter() {
             self.count_use(register.next, READ | DEMANDED);
+            register.enable.into_iter().for_each(|net| self.count_use(net, READ | DEMANDED | CUT));
         }
         // VHDL-93 connects a port to a name or a constant only.
         for (_, instance) in circuit.instances.iter() {
-            instance.inputs.iter().for_each(|&net| self.count_use(net, READ | DEMANDED));
+            let nets = instance.inputs.iter().chain(&instance.enable);
+            nets.for_each(|&net| self.count_use(net, READ | DEMANDED));
         }
         for output in &circuit.outputs {
             let kind = if circuit.width(output.net) == 1 { SHOWN } else { CUT };

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::names::{NameId, Namer, TICK};
+use super::names::{NameId, Namer, SCAN_DONE, SCAN_START, TICK};
 use crate::circuit::Circuit;
 
 /// A printed port.
@@ -42,6 +42,8 @@ fn ports<'c>(
     let mut vectors =
         circuit.vectors.iter().filter(|vector| vector.is_input == is_input).peekable();
     let mut ports: Vec<Port> = Vec::new();
+    let has_scan = circuit.has_scan_ports;
+    let last = circuit.outputs.len().wrapping_sub(1);
     for (index, (name, width)) in all.enumerate() {
         if let Some(port) = ports.last_mut()
             && port.parts.contains(&index)
@@ -53,6 +55,8 @@ fn ports<'c>(
         let name = match (name, vector) {
             (_, Some(vector)) => namer.take(&vector.name, ""),
             (TICK, None) if is_input && index == 0 => namer.fix(TICK),
+            _ if has_scan && is_input && index == 1 => namer.fix(SCAN_START),
+            _ if has_scan && !is_input && index == last => namer.fix(SCAN_DONE),
             (name, None) => namer.take(name, ""),
         };
         let parts = index..index + vector.map_or(1, |vector| vector.length);

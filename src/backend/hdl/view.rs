@@ -6,7 +6,7 @@ use std::marker::PhantomData;
 use super::expression::{Dialect, Value};
 use super::module::Module;
 use super::order::Item;
-use crate::circuit::InstanceId;
+use crate::circuit::{InstanceId, Net};
 use crate::index::index;
 
 /// A module in one language.
@@ -66,6 +66,14 @@ pub struct Stored<'a, D> {
     pub next: Source<'a, D>,
 }
 
+/// Registers that take their values at the same clocks.
+pub struct Process<'a, D> {
+    /// The bit that says at which clocks; without it at all of them.
+    pub enable: Option<Source<'a, D>>,
+    /// The registers.
+    pub registers: Vec<Stored<'a, D>>,
+}
+
 /// What goes into a register or a port.
 pub enum Source<'a, D> {
     /// A net.
@@ -123,7 +131,8 @@ impl<'a, D: Dialect> View<'a, D> {
     pub fn ports(&self) -> Vec<Port<'a>> {
         let module = self.module;
         let input = |(name, width)| Port { name, width, is_input: true };
-        let clock = module.clock_and_reset().into_iter().flatten().map(|name| (name, 1));
+        let clock = module.clock_and_reset().into_iter().flatten().chain(module.enable());
+        let clock = clock.map(|name| (name, 1));
         let inputs = module.inputs().map(|(name, port)| (name, port.width));
         let outputs = module.outputs();
         let outputs = outputs.map(|(name, port)| Port { name, width: port.width, is_input: false });
@@ -156,6 +165,28 @@ impl<'a, D: Dialect> View<'a, D> {
                 None => Source::Net(Value::leaf(module, register.next)),
             },
         })
+    }
+
+    /// The registers that take their values at the same clocks: those that always do, then the
+    /// others in the order of what enables them.
+    pub fn processes(&self) -> Vec<Process<'a, D>> {
+        let module = self.module;
+        let mut enables: Vec<Option<Net>> =
+            module.circuit.registers.values().map(|register| register.enable).collect();
+        enables.sort_unstable();
+        enables.dedup();
+        let process = |enable: Option<Net>| {
+            let here = module.circuit.registers.values().map(|register| register.enable == enable);
+            let registers = self.registers().zip(here).filter(|(_, is_here)| *is_here);
+            Process {
+                enable: match enable {
+                    Some(net) => Some(Source::Net(Value::leaf(module, net))),
+                    None => module.enable().map(Source::Name),
+                },
+                registers: registers.map(|(register, _)| register).collect(),
+            }
+        };
+        enables.into_iter().map(process).collect()
     }
 
     /// True if there is a register.
@@ -252,6 +283,8 @@ fn pins<'a, D: Dialect>(
     let (_, instance) = module.instance(id);
     let clock = inner.clock_and_reset().into_iter().flatten();
     let clock = clock.map(|port| Pin { port, to: Source::Name(port) });
+    let enable = inner.enable().zip(instance.enable);
+    let enable = enable.map(|(port, net)| Pin { port, to: Source::Net(Value::leaf(module, net)) });
     let inputs = inner
         .inputs()
         .zip(&instance.inputs)
@@ -260,5 +293,5 @@ fn pins<'a, D: Dialect>(
         port,
         to: module.port_wire(id, output).map_or(Source::Open, Source::Name),
     });
-    clock.chain(inputs).chain(outputs).collect()
+    clock.chain(enable).chain(inputs).chain(outputs).collect()
 }

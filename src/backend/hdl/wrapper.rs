@@ -195,7 +195,7 @@ pub fn print(design: &Design, language: Language, options: &Options, board: &Boa
     let ports = PortNames::new(design, options.reset);
     let circuit = design.top();
     let has_tick = circuit.inputs.first().is_some_and(|input| &*input.name == TICK);
-    let inputs = &ports.inputs[usize::from(has_tick)..];
+    let inputs = &ports.inputs[usize::from(has_tick) + usize::from(ports.has_scan_ports)..];
     let outer = HashSet::from([ports.module.to_ascii_lowercase()]);
     let debounce_ticks = board.debounce_ticks.filter(|&ticks| ticks > 0);
     let (names, fixed, ids) = choose_names(&ports, inputs, &outer);

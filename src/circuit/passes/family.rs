@@ -279,7 +279,9 @@ fn roots(circuit: &Circuit) -> impl Iterator<Item = Net> {
     let shown = circuit.outputs.iter().map(|output| output.net);
     let taken = circuit.registers.values().map(|register| register.next);
     let given = circuit.instances.values().flat_map(|instance| instance.inputs.iter().copied());
-    shown.chain(taken).chain(given)
+    let registers = circuit.registers.values().filter_map(|register| register.enable);
+    let enables = circuit.instances.values().filter_map(|instance| instance.enable);
+    shown.chain(taken).chain(given).chain(registers).chain(enables)
 }
 
 /// What the nets are computed from within the scan, up to a limit. `instead` names the one operand

@@ -42,7 +42,8 @@ pub fn fit(design: Design) -> Design {
             result.alloc(small)
         });
         let inputs = select(&instance.inputs, inputs).copied().collect();
-        instances.alloc(Instance { name: instance.name.clone(), module: id, inputs });
+        let Instance { name, enable, .. } = instance.clone();
+        instances.alloc(Instance { name, module: id, inputs, enable });
     }
     top.instances = instances;
     let top = prune(&top, &live.nets, &live.outputs);
@@ -153,12 +154,16 @@ impl Liveness {
             let cell = circuit.cell(net);
             circuit.for_each_operand(cell, |operand| open.push(operand));
             match cell.op {
-                Op::Register(id) => open.push(circuit.registers[id].next),
+                Op::Register(id) => {
+                    let Register { next, enable, .. } = circuit.registers[id];
+                    open.extend([Some(next), enable].into_iter().flatten());
+                }
                 Op::Port(id, output) => {
                     let instance = index(id);
                     live.outputs[instance] |= 1 << output;
                     let inputs = needs(instance, live.outputs[instance]);
                     open.extend(select(&circuit.instances[id].inputs, inputs));
+                    open.extend(circuit.instances[id].enable);
                 }
                 _ => {}
             }
@@ -220,6 +225,7 @@ fn fold(module: &Circuit, constants: &[Option<u64>]) -> Circuit {
     }
     for ((id, _), (_, register)) in folded.registers.clone().iter().zip(module.registers.iter()) {
         folded.drive(id, nets[index(register.next)]);
+        folded.registers[id].enable = register.enable.map(|net| nets[index(net)]);
     }
     for output in &module.outputs {
         folded.output(output.name.clone(), nets[index(output.net)]);
@@ -254,6 +260,7 @@ fn prune(circuit: &Circuit, live: &[bool], read: &[PortSet]) -> Circuit {
     pruned.comment.clone_from(&circuit.comment);
     pruned.inputs.clone_from(&circuit.inputs);
     pruned.vectors.clone_from(&circuit.vectors);
+    pruned.has_scan_ports = circuit.has_scan_ports;
     for (net, cell) in circuit.cells().filter(|(net, _)| live[index(*net)]) {
         let cell = keep.cell(circuit, &mut pruned, cell);
         keep.nets[index(net)] = Some(pruned.cells.alloc(cell));
@@ -318,11 +325,12 @@ impl<'a> Keep<'a> {
     }
 
     fn finish(&self, circuit: &Circuit, pruned: &mut Circuit) {
-        for Register { next, .. } in pruned.registers.values_mut() {
-            *next = self.net(*next);
+        let moved = |net: &mut Net| *net = self.net(*net);
+        for Register { next, enable, .. } in pruned.registers.values_mut() {
+            [Some(next), enable.as_mut()].into_iter().flatten().for_each(moved);
         }
-        for Instance { inputs, .. } in pruned.instances.values_mut() {
-            inputs.iter_mut().for_each(|net| *net = self.net(*net));
+        for Instance { inputs, enable, .. } in pruned.instances.values_mut() {
+            inputs.iter_mut().chain(enable).for_each(moved);
         }
         pruned.outputs = circuit
             .outputs

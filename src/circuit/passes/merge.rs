@@ -1,7 +1,7 @@
 //! Makes one register of those that always hold the same.
 //!
 //! Before: any circuit. After: the same outputs in every scan; no two registers take the same net
-//! and have the same reset value, but for those that an output shows under their own name: readers
+//! at the same clocks and have the same reset value, but for those that an output shows under their own name: readers
 //! look for them, and synthesis merges them without our help.
 
 use std::collections::{HashMap, HashSet};
@@ -35,8 +35,8 @@ fn kept(circuit: &Circuit) -> Vec<RegisterId> {
         name if named.contains(name) => 1,
         _ => 2,
     };
-    let key = |register: &Register| (register.next, register.reset);
-    let mut best: HashMap<(Net, u64), RegisterId> = HashMap::new();
+    let key = |register: &Register| (register.next, register.reset, register.enable);
+    let mut best: HashMap<(Net, u64, Option<Net>), RegisterId> = HashMap::new();
     for (id, register) in circuit.registers.iter() {
         let best = best.entry(key(register)).or_insert(id);
         if rank(register) < rank(&circuit.registers[*best]) {

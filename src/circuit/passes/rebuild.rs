@@ -12,8 +12,9 @@ pub struct Rebuild<'c> {
     pub to: Circuit,
     nets: Vec<Net>,
     registers: Vec<Option<RegisterId>>,
-    /// New registers, and the net of the circuit that is copied that each takes.
-    new: Vec<(RegisterId, Net)>,
+    /// New registers, the net of the circuit that is copied that each takes, maybe inverted, and
+    /// what enables it.
+    new: Vec<(RegisterId, Net, bool, Option<Net>)>,
 }
 
 impl<'c> Rebuild<'c> {
@@ -35,10 +36,18 @@ impl<'c> Rebuild<'c> {
         net
     }
 
-    /// A new register of one bit that takes a net, which may stand behind it.
-    pub fn new_register(&mut self, name: &str, reset: bool, next: Net) -> Net {
+    /// A new register of one bit that takes a net, which may stand behind it, or what it is not,
+    /// whenever a register of the circuit that is copied takes something.
+    pub fn new_register(
+        &mut self,
+        name: &str,
+        reset: bool,
+        next: Net,
+        inverted: bool,
+        with: RegisterId,
+    ) -> Net {
         let (id, net) = self.to.register(name, 1, u64::from(reset));
-        self.new.push((id, next));
+        self.new.push((id, next, inverted, self.from.registers[with].enable));
         net
     }
 
@@ -72,18 +81,24 @@ impl<'c> Rebuild<'c> {
 
     fn finish(mut self) -> Circuit {
         let Rebuild { from, to, nets, registers, new } = &mut self;
-        for &mut (id, next) in new {
-            to.drive(id, nets[index(next)]);
+        for &mut (id, next, inverted, enable) in new {
+            let next = nets[index(next)];
+            let next = if inverted { to.not(next) } else { next };
+            to.drive(id, next);
+            to.registers[id].enable = enable.map(|net| nets[index(net)]);
         }
         for ((_, register), copy) in from.registers.iter().zip(registers) {
             if let Some(copy) = *copy {
                 let width = to.registers[copy].width;
                 let next = to.slice(nets[index(register.next)], 0, width);
                 to.drive(copy, next);
+                to.registers[copy].enable = register.enable.map(|net| nets[index(net)]);
             }
         }
         let moved = |net: &mut Net| *net = nets[index(*net)];
-        to.instances.values_mut().for_each(|instance| instance.inputs.iter_mut().for_each(moved));
+        for instance in to.instances.values_mut() {
+            instance.inputs.iter_mut().chain(&mut instance.enable).for_each(moved);
+        }
         for output in &from.outputs {
             to.output(output.name.clone(), nets[index(output.net)]);
         }
@@ -109,6 +124,8 @@ pub fn rebuild(
     let mut to = Circuit::new(&from.name);
     to.comment.clone_from(&from.comment);
     to.inputs.clone_from(&from.inputs);
+    to.has_scan_ports = from.has_scan_ports;
+    to.vectors.clone_from(&from.vectors);
     to.instances = from.instances.clone();
     let (nets, registers) = (Vec::with_capacity(from.len()), vec![None; from.registers.len()]);
     let mut rebuild = Rebuild { from, to, nets, registers, new: Vec::new() };

@@ -19,7 +19,7 @@ use super::{Language, Options, PortNames, header};
 use crate::circuit::{Design, Valid};
 use crate::equations;
 use crate::eval::variables_of;
-use crate::expand;
+use crate::expand::{self, Schedule};
 use crate::model::{Expect, Program, Role, Statement, VariableId};
 use crate::source::Source;
 use lines::{Line, LineKind};
@@ -65,6 +65,9 @@ const OWN_NAMES: [&str; 34] = [
     "writeline",
 ];
 
+/// The same, where a scan takes several clocks.
+const OWN_NAMES_OF_SCANS: [&str; 4] = ["clock", "idle", "is_last", "pause"];
+
 /// What follows the program's name in the name of its testbench.
 pub const SUFFIX: &str = "_tb";
 
@@ -82,6 +85,8 @@ pub struct Shown<'a> {
     pub design: &'a Valid<Design>,
     /// The variables.
     pub observed: &'a [VariableId],
+    /// In which clocks of a scan the rungs act.
+    pub schedule: Schedule,
 }
 
 /// The text of a program's testbench.
@@ -124,6 +129,8 @@ struct Bench {
     /// The level of the reset port that resets.
     reset_on: char,
     reset_off: char,
+    /// A scan takes several clocks: it is started, and tells when it is over.
+    has_scans: bool,
     signals: Vec<Signal>,
     expectations: Vec<Expectation>,
     lines: Vec<Line>,
@@ -165,10 +172,15 @@ fn is_port(program: &Program, variable: VariableId) -> bool {
 }
 
 /// A variant of the program that shows these variables beside its ports.
-fn variant(program: &Program, observe: Vec<VariableId>, options: &Options) -> Valid<Design> {
+fn variant(
+    program: &Program,
+    observe: Vec<VariableId>,
+    schedule: Schedule,
+    options: &Options,
+) -> Valid<Design> {
     let name = format!("{}_test", program.name);
     let source = options.source.clone();
-    expand::compile_as(&name, program, &expand::Options { source, observe })
+    expand::compile_as(&name, program, &expand::Options { source, observe, schedule })
 }
 
 /// A design that computes every element of every expectation from the values of what they read.
@@ -199,7 +211,8 @@ impl Bench {
         let inner: Vec<VariableId> =
             read.iter().copied().filter(|&variable| !is_port(program, variable)).collect();
         let is_shown = inner.iter().all(|variable| shipped.observed.contains(variable));
-        let variant = (!is_shown).then(|| variant(program, inner.clone(), options));
+        let variant =
+            (!is_shown).then(|| variant(program, inner.clone(), shipped.schedule, options));
         let (core, observed) = match &variant {
             Some(variant) => (variant, inner.as_slice()),
             None => (shipped.design, shipped.observed),
@@ -208,7 +221,9 @@ impl Bench {
 
         let outer = HashSet::from([core_ports.module.to_ascii_lowercase()]);
         let mut namer = Namer::new(&outer);
-        for own in OWN_NAMES {
+        let has_scans = core_ports.has_scan_ports;
+        let more = OWN_NAMES_OF_SCANS.iter().filter(|_| has_scans);
+        for own in OWN_NAMES.iter().chain(more) {
             namer.fix(own);
         }
         namer.fix(options.reset.port());
@@ -240,6 +255,7 @@ impl Bench {
             reset_port: options.reset.port(),
             reset_on: if options.reset.is_low() { '0' } else { '1' },
             reset_off: if options.reset.is_low() { '1' } else { '0' },
+            has_scans,
             lines: lines::lines(program, source, &wires),
             signals,
             expectations,

@@ -3,7 +3,7 @@
 
 use std::collections::HashMap;
 
-use super::super::names::{Namer, TICK};
+use super::super::names::{Namer, SCAN_DONE, SCAN_START, TICK};
 use super::super::{Language, PortNames};
 use crate::model::{Program, Role, VariableId};
 
@@ -74,8 +74,12 @@ pub fn signals(
 ) -> (Vec<Signal>, Wires) {
     // The first input is the tick, which is no variable.
     let tick = namer.fix(TICK);
-    let inputs = ports.inputs.iter().skip(1).map(|port| (port, true));
-    let outputs = ports.outputs.iter().map(|port| (port, false));
+    // Nor are those that say when a scan starts and ends.
+    let scan = ports.has_scan_ports.then(|| [SCAN_START, SCAN_DONE].map(|name| namer.fix(name)));
+    let inputs = ports.inputs.iter().skip(1 + usize::from(scan.is_some()));
+    let outputs = ports.outputs.len() - usize::from(scan.is_some());
+    let inputs = inputs.map(|port| (port, true));
+    let outputs = ports.outputs[..outputs].iter().map(|port| (port, false));
     let named: Vec<_> = inputs
         .chain(outputs)
         .map(|(port, is_input)| (namer.take(&port.name, ""), port, is_input))
@@ -84,7 +88,9 @@ pub fn signals(
     let with_role = |role| program.with_role(role).map(|(id, _)| id);
     let mut variables =
         with_role(Role::Input).chain(with_role(Role::Output)).chain(observed.iter().copied());
-    let mut signals = vec![Signal { name: names.get(tick).to_owned(), width: 1, is_input: true }];
+    let bit = |id, is_input| Signal { name: names.get(id).to_owned(), width: 1, is_input };
+    let mut signals = vec![bit(tick, true)];
+    signals.extend(scan.map(|[start, _]| bit(start, true)));
     let mut by_variable = HashMap::new();
     for (id, port, is_input) in named {
         let signal = names.get(id).to_owned();
@@ -97,5 +103,6 @@ pub fn signals(
         }
         signals.push(Signal { name: signal, width: port.width, is_input });
     }
+    signals.extend(scan.map(|[_, done]| bit(done, false)));
     (signals, Wires { language, by_variable })
 }

@@ -1,18 +1,30 @@
-//! The power of a scan, for the commands that draw it.
+//! Pictures of a run: the ladder with the power of a scan, and timing diagrams.
 
 use std::fmt::Write;
+use std::path::{Path, PathBuf};
 
 use anyhow::bail;
 
-use hotrail::draw::{Drawing, Glyphs, Look};
+use hotrail::draw::{self, Drawing, Glyphs, Look};
 use hotrail::eval::{Evaluator, Flow, Stimulus};
+use hotrail::files::{FileError, NewFile};
 use hotrail::model::Program;
+use hotrail::source::Source;
 
 use super::report::Report;
 
-/// What goes on in a scan of a run, from 0; in the last one of the stimulus if none is said. Behind
+/// The moment of a scan, as drawings say it.
+pub fn moment(scan: usize) -> String {
+    format!("power in scan {scan}")
+}
+
+/// What goes on in a scan of a run, from 0, and which one it is; in the last one of the stimulus if none is said. Behind
 /// the last row its values are held.
-pub fn at(program: &Program, stimulus: &Stimulus, scan: Option<usize>) -> anyhow::Result<Flow> {
+pub fn at(
+    program: &Program,
+    stimulus: &Stimulus,
+    scan: Option<usize>,
+) -> anyhow::Result<(Flow, String)> {
     let Some(last) = scan.or(stimulus.len().checked_sub(1)) else {
         bail!("the stimulus has no row, so there is no scan; --at SCAN holds all inputs at 0");
     };
@@ -24,7 +36,20 @@ pub fn at(program: &Program, stimulus: &Stimulus, scan: Option<usize>) -> anyhow
     }
     let row = stimulus.row(last);
     row.drives.iter().for_each(|&(input, value)| evaluator.drive(input, value));
-    Ok(evaluator.scan_seen(row.tick))
+    Ok((evaluator.scan_seen(row.tick), moment(last)))
+}
+
+/// The ladder with the power of a scan.
+pub fn power(source: &Source, flow: &Flow, scan: usize) -> Drawing {
+    let drawing = Drawing::with_flow(source, &draw::Options::default(), flow);
+    Drawing { moment: Some(moment(scan)), ..drawing }
+}
+
+/// Writes a picture into a file, which must not be one of the sources.
+pub fn write(path: &Path, picture: &str, sources: &[PathBuf]) -> Result<(), FileError> {
+    let mut file = NewFile::create(path, sources)?;
+    file.write(picture.as_bytes())?;
+    file.finish()
 }
 
 /// The text of a drawing, with colours where they can be seen.
