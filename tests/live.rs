@@ -121,6 +121,22 @@ fn screens() {
     assert!(shown.is_ascii(), "{shown}");
 }
 
+/// The manual shows a screen that there is, and every key as the help has it.
+#[test]
+fn the_page_shows_what_is_seen() {
+    let page = include_str!("../docs/live.md");
+    let (source, program) = start_stop();
+    let mut live = Live::new(Session::new(&program, Stimulus::default()), &source, LOOKS, SMALL);
+    press(&mut live, "1s");
+    let shown = text(&screen(&live, SMALL));
+    assert!(page.contains(&format!("```text\n{shown}```")), "{shown}");
+    press(&mut live, "?");
+    live.resize((LEAST_COLUMNS, LEAST_ROWS));
+    let shown = text(&screen(&live, (LEAST_COLUMNS, LEAST_ROWS)));
+    let keys: Vec<&str> = shown.lines().filter(|line| line.starts_with("  ")).collect();
+    assert!(keys.len() > 12 && page.contains(&keys.join("\n")), "{shown}");
+}
+
 #[test]
 fn colour_is_there_only_if_it_may_be() {
     let (source, program) = start_stop();

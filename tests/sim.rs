@@ -221,6 +221,9 @@ fn the_circuit_prints_what_the_evaluator_prints() {
         }
     }
     folder.write("lift.ladder", PROGRAM);
+    let power = ["sim", "lift.ladder", "--scans", "1", "--on", "circuit", "--svg", "p.svg"];
+    let run = folder.run(&power);
+    assert!(run.code == 1 && run.err.contains("leave out --on circuit"), "{}", run.err);
     let watch = ["sim", "lift.ladder", "--scans", "3", "--on", "circuit", "--watch"];
     let run = folder.run(&[&watch[..], &["delay.ET,up,delay.ET,delay.Q"]].concat());
     assert_eq!(run.out, "scan,tick,delay.ET,up,delay.Q\n0,1,0,0,0\n1,1,0,0,0\n2,1,0,0,0\n");

@@ -107,14 +107,15 @@ fn watch(live: &mut Live<'_>) -> io::Result<()> {
     let mut last = Instant::now();
     while !live.is_over() {
         terminal.draw(|frame| live.draw(frame.buffer_mut()))?;
-        let mut wait = if live.is_running() { FRAME } else { PAUSE };
-        while event::poll(wait)? {
-            take(live, &event::read()?);
-            wait = Duration::ZERO;
-        }
+        let mut is_there = event::poll(if live.is_running() { FRAME } else { PAUSE })?;
+        // The time until now belongs to what was so until now, not to what a key makes of it.
         let now = Instant::now();
         live.elapse(u64::try_from((now - last).as_nanos()).unwrap_or(u64::MAX));
         last = now;
+        while is_there {
+            take(live, &event::read()?);
+            is_there = event::poll(Duration::ZERO)?;
+        }
         while live.is_due() && now.elapsed() < FRAME {
             live.run_due(PIECE);
         }
