@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use anyhow::bail;
 use clap::ValueEnum;
 
+use hotrail::backend::CircuitRunner;
 use hotrail::backend::hdl::Harmless;
 use hotrail::backend::processor::{self, Runner};
 use hotrail::diagnostic::{Diagnostic, code};
@@ -28,7 +29,7 @@ use super::{Sources, Verdict};
 
 Examples:
   hotrail test conveyor.ladder
-  hotrail test conveyor.ladder --on evaluator,processor,icarus,ghdl --filter emergency
+  hotrail test conveyor.ladder --on evaluator,circuit,processor,icarus,ghdl --filter emergency
   hotrail test conveyor.ladder --on icarus,ghdl --schedule levels
   hotrail test conveyor.ladder --vcd waves
   hotrail test conveyor.ladder --filter emergency --svg pictures")]
@@ -61,6 +62,8 @@ pub struct Options {
 enum Executor {
     /// The built-in reference evaluator
     Evaluator,
+    /// The built-in simulation of the circuit that the hardware is printed from
+    Circuit,
     /// The emulator of the ladder processor, on its image
     Processor,
     /// Icarus Verilog, on the emitted Verilog
@@ -73,6 +76,7 @@ impl Executor {
     fn name(self) -> &'static str {
         match self {
             Executor::Evaluator => "evaluator",
+            Executor::Circuit => "circuit",
             Executor::Processor => "processor",
             Executor::Icarus => "icarus",
             Executor::Ghdl => "ghdl",
@@ -164,6 +168,11 @@ fn execute(
     let simulator = match executor {
         Executor::Evaluator => {
             let run = |test| eval::run_test(program, test);
+            return Ok(program.tests.iter().map(run).collect());
+        }
+        Executor::Circuit => {
+            let mut machine = CircuitRunner::new(program, &eval::variables_of_tests(program));
+            let run = |test| eval::run_test_on(&mut machine, program, test);
             return Ok(program.tests.iter().map(run).collect());
         }
         Executor::Processor => unreachable!("it needs no simulator"),

@@ -37,6 +37,7 @@ pub use rung::Rung;
 pub use svg::bears_header;
 pub use text::{Glyphs, Line, Look, Piece};
 pub use timing::Timing;
+pub use words::harmless;
 
 use crate::eval::{Flow, ShownRung};
 use crate::source::Source;
