@@ -14,6 +14,7 @@ pub mod lp;
 pub mod proof;
 pub mod recorded;
 pub mod relay;
+pub mod scheduled;
 pub mod shrink;
 pub mod targets;
 pub mod variants;
