@@ -5,7 +5,7 @@ use std::fs;
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
-use crate::backend::{self, Artifact};
+use crate::backend::{self, Artifact, processor};
 use crate::diagnostic::{Code, code};
 use crate::source::Source;
 
@@ -281,10 +281,29 @@ fn check_target(path: &Path, sources: &[PathBuf], force: Force) -> Result<(), Fi
     if backend::bears_header(&String::from_utf8_lossy(&start)) {
         return Ok(());
     }
+    if is_recorded(path, metadata.len()) {
+        return Ok(());
+    }
     Err(refuse("is there and was not made by hotrail").help(match force {
         Force::No => "use --force to replace it, or choose another folder",
         Force::Yes | Force::Never => "remove it first, or choose another name",
     }))
+}
+
+/// True if a file without a header is unchanged since a record of ours beside it named it.
+fn is_recorded(path: &Path, length: u64) -> bool {
+    let Some(name) = path.file_name().and_then(|name| name.to_str()) else { return false };
+    // No image is longer, and no record.
+    const LONGEST: u64 = 1 << 16;
+    length <= LONGEST
+        && processor::records_of(name).iter().any(|record| {
+            let record = path.with_file_name(record);
+            let is_short = fs::metadata(&record).is_ok_and(|found| found.len() <= LONGEST);
+            let text = if is_short { fs::read_to_string(&record).ok() } else { None };
+            text.filter(|text| backend::bears_header(text)).is_some_and(|text| {
+                fs::read(path).is_ok_and(|contents| processor::vouches(&text, name, &contents))
+            })
+        })
 }
 
 /// A temporary file is its owner's alone; an artifact is what `File::create` would make it.

@@ -155,7 +155,7 @@ fn users_build_images_and_look_at_them() {
     let emit = "rom,ihex,coe,mif,bin,listing";
     let (code, text) = hotrail(path, &["build", "pump.ladder", "-o", "out", "--emit", emit]);
     assert_eq!((code, text.as_str()), (0, ""));
-    assert_eq!(fs::read_dir(path.join("out")).unwrap().count(), 5 * 3 + 1);
+    assert_eq!(fs::read_dir(path.join("out")).unwrap().count(), 5 * 3 + 2 + 1);
     let listing = fs::read_to_string(path.join("out/pump.lst")).unwrap();
     for words in ["rung 1 \"seal-in\", pump.ladder:2", "OPEN/RETURN", "256  motor", "600  used"] {
         assert!(listing.contains(words), "{listing}");
@@ -171,6 +171,39 @@ fn users_build_images_and_look_at_them() {
     fs::write(path.join("out/pump.hex"), "0102\nBC00\n").unwrap();
     let (code, text) = hotrail(path, &["rom", "out/pump.hex"]);
     assert!(code == 1 && text.contains("E0803") && text.contains("word 000 (0102)"), "{text}");
+}
+
+#[test]
+fn a_build_replaces_its_own_images_in_every_form_and_no_others() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path();
+    let build = |text: &str, emit: &str| {
+        fs::write(path.join("pump.ladder"), text).unwrap();
+        hotrail(path, &["build", "pump.ladder", "-o", "out", "--emit", emit])
+    };
+    let emit = "rom,ihex,coe,mif,bin,listing";
+    let first = "ladder pump input a, b output y rung [ a | a b ] (y)";
+    let second = "ladder pump input a, b output y rung b [ a | b ] (y)";
+    assert_eq!(build(first, emit), (0, String::new()));
+    assert_eq!(build(first, "bin"), (0, String::new()));
+    assert_eq!(build(second, emit), (0, String::new()));
+    let rebuilt = fs::read(path.join("out/pump.bin")).unwrap();
+    assert_eq!(rebuilt[..2], [0x01, 0x04], "the second program");
+    // Changed by somebody, or there without a record.
+    for (file, changed) in
+        [("pump.bin", "x"), ("pump_regs.ihex", ":00000001FF"), ("pump.ihex", "a")]
+    {
+        let file = path.join("out").join(file);
+        let ours = fs::read(&file).unwrap();
+        fs::write(&file, changed).unwrap();
+        let (code, text) = build(first, emit);
+        assert!(code != 0 && text.contains("was not made by hotrail"), "{text}");
+        fs::write(&file, ours).unwrap();
+    }
+    assert_eq!(build(first, emit), (0, String::new()));
+    fs::remove_file(path.join("out/pump_bin.txt")).unwrap();
+    let (code, text) = build(second, "bin");
+    assert!(code != 0 && text.contains("was not made by hotrail"), "{text}");
 }
 
 #[test]

@@ -188,14 +188,19 @@ impl<'a> Unit<'a> {
     /// What the memories of the ladder processor hold, in each form that is asked for.
     fn memories(&self, image: &Image, kinds: &[Emit]) -> Vec<Artifact> {
         let comments = [hdl::header(&self.print).to_string(), processor::parameters(&image.rom)];
-        let forms = Form::ALL.into_iter().filter(|form| kinds.contains(&Emit::Rom(*form)));
-        let files = forms.flat_map(|form| Part::ALL.map(|part| (form, part)));
-        files
-            .map(|(form, part)| Artifact {
-                file_name: format!("{}{}.{}", self.program.name, part.suffix(), form.extension()),
+        let name = &self.program.name;
+        let mut artifacts = Vec::new();
+        for form in Form::ALL.into_iter().filter(|form| kinds.contains(&Emit::Rom(*form))) {
+            let files = Part::ALL.map(|part| Artifact {
+                file_name: format!("{name}{}.{}", part.suffix(), form.extension()),
                 contents: image.rom.memory(part).write(form, &comments),
-            })
-            .collect()
+            });
+            if !form.has_comments() {
+                artifacts.push(processor::record(name, form, &comments, &files));
+            }
+            artifacts.extend(files);
+        }
+        artifacts
     }
 
     fn listing(&self, image: &Image) -> Artifact {

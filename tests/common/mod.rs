@@ -73,6 +73,8 @@ pub fn run(folder: &Path, tool: &str, arguments: &[&str]) -> String {
 
 /// What an example's `golden` folder holds, as `hotrail build --emit` takes it.
 pub const GOLDEN: &str = "verilog,vhdl,testbench,wrapper";
+/// What it holds besides where the ladder processor can do the example.
+pub const GOLDEN_ROM: &str = "rom,listing";
 
 /// One folder of `examples/`.
 pub struct Example {

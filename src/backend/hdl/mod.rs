@@ -143,7 +143,7 @@ impl fmt::Display for Header<'_> {
 /// True if a file begins with [`header`], whatever the version and the language: it is ours and
 /// may be overwritten.
 pub fn bears_header(text: &str) -> bool {
-    ["// ", "-- "]
+    ["// ", "-- ", "; "]
         .iter()
         .any(|sign| text.strip_prefix(sign).is_some_and(|line| line.starts_with(MADE_BY)))
 }

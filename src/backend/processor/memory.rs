@@ -33,6 +33,11 @@ impl Form {
         }
     }
 
+    /// True if its files have room for lines that only people read.
+    pub fn has_comments(self) -> bool {
+        !matches!(self, Form::IntelHex | Form::Binary)
+    }
+
     /// The form of files of that ending.
     pub fn of_extension(extension: &str) -> Option<Form> {
         Form::ALL.into_iter().find(|form| form.extension() == extension)
