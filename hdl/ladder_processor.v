@@ -6,9 +6,14 @@
 module ladder_processor #(
     parameter INPUTS = 16,              // pins: bits 0.. of the image, up to 256
     parameter OUTPUTS = 16,             // pins: bits 256.. of the image, up to 256
-    parameter FUNCTIONS = 1,            // 0: contacts and coils only
+    parameter TIMERS = 1,               // 0: left out; all five: no registers either
+    parameter COUNTERS = 1,
+    parameter DRUMS = 1,
+    parameter SHIFTS = 1,
+    parameter BITS = 1,                 // bit set and bit clear
     parameter TICKS_PER_TENTH = 100,    // ticks in a tenth of a second; 0: no timers of tenths
     parameter TICKS_PER_SECOND = 1000,
+    parameter STACK_DEPTH = 4,          // bits of each stack
     parameter CODE_FILE = "",           // NAME.hex
     parameter REGISTER_FILE = "",       // NAME_regs.hex
     parameter IMAGE_FILE = ""           // NAME_image.hex
@@ -35,6 +40,7 @@ module ladder_processor #(
     input  wire [15:0] RM_in,
     output wire [15:0] RM_out
 );
+  localparam FUNCTIONS = TIMERS != 0 || COUNTERS != 0 || DRUMS != 0 || SHIFTS != 0 || BITS != 0;
   localparam [3:0] COIL = 4'd9, SET = 4'd10, RESET = 4'd11, INVERTED = 4'd12, END = 4'd15;
 
   wire resetting, start_scan, reading_inputs, running, valid, writing_outputs;
@@ -69,7 +75,7 @@ module ladder_processor #(
   wire contact_status;
   wire pwra;
   wire latches = prefix & field[3:1] == 3'd0;
-  lp_power power (
+  lp_power #(.STACK_DEPTH(STACK_DEPTH)) power (
       .clk(clk), .start_scan(start_scan), .contact(contact),
       .ends_circuit(output_word | latches), .attribute(field),
       .conducts(contact_status ^ code[0]), .pwra(pwra)
@@ -93,7 +99,7 @@ module ladder_processor #(
   );
 
   generate
-    if (FUNCTIONS != 0) begin : functions
+    if (FUNCTIONS) begin : functions
       // A tick waits for the next scan.
       reg waiting;
       always @(posedge clk)
@@ -105,6 +111,7 @@ module ladder_processor #(
       wire [15:0] read_word, written_word;
       wire write_register;
       lp_function #(
+          .TIMERS(TIMERS), .COUNTERS(COUNTERS), .DRUMS(DRUMS), .SHIFTS(SHIFTS), .BITS(BITS),
           .TICKS_PER_TENTH(TICKS_PER_TENTH), .TICKS_PER_SECOND(TICKS_PER_SECOND)
       ) function_unit (
           .clk(clk), .rst(rst), .start_scan(start_scan), .tick(tick | waiting),

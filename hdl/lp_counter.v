@@ -1,16 +1,14 @@
-// What a counter counts: up, down, or the steps of a drum. Combinational.
+// What a counter does: up, down, or the steps of a drum. Combinational.
 module lp_counter (
-    input  wire        down,
-    input  wire        drum,
-    input  wire        enable,
-    input  wire        rises,
-    input  wire [15:0] preset,
-    input  wire [15:0] old_count,
-    output wire [15:0] count
+    input  wire       down,
+    input  wire       enable,
+    input  wire       rises,
+    input  wire       at_end,           // the count is the last one of its direction
+    output wire       clears,           // it goes back to 0
+    output wire       loads,            // it becomes the preset
+    output wire       counts            // it goes one on
 );
-  wire [15:0] largest = drum ? 16'd2047 : 16'd9999;
-  wire [15:0] more = old_count + {15'd0, rises & (old_count < largest)};
-  wire [15:0] less = old_count - {15'd0, rises & (old_count != 16'd0)};
-
-  assign count = ~enable ? (down ? preset : 16'd0) : down ? less : more;
+  assign clears = ~enable & ~down;
+  assign loads  = ~enable & down;
+  assign counts = rises & ~at_end;
 endmodule

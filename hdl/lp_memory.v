@@ -1,5 +1,6 @@
 // A memory with one port to write and one to read, which infers as block RAM. A read shows one clock
-// later what stood there before a write of the same clock.
+// later what stood there; nobody needs what it shows of an address that is written in the same clock,
+// so synthesis need not make it the old word.
 module lp_memory #(
     parameter WIDTH = 16,
     parameter ADDRESS_BITS = 10,
@@ -13,6 +14,7 @@ module lp_memory #(
     input  wire [ADDRESS_BITS-1:0] read_address,
     output reg  [WIDTH-1:0]        read_data
 );
+  (* no_rw_check *)
   reg [WIDTH-1:0] words [0:(1 << ADDRESS_BITS) - 1];
 
   integer i;

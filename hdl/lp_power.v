@@ -1,5 +1,7 @@
 // The power in hand and the two stacks: what a contact does with its attribute.
-module lp_power (
+module lp_power #(
+    parameter STACK_DEPTH = 4
+) (
     input  wire       clk,
     input  wire       start_scan,       // the next contact starts a circuit
     input  wire       contact,          // a contact is executed in this clock
@@ -22,13 +24,12 @@ module lp_power (
   // Where a list ends at the contact that opens an outer one, its power comes back through it.
   wire back  = up & conducts & pwrb;
 
-  lp_stack stack1 (
-      .clk(clk), .enable(contact), .clear(ended),
-      .put(open & ~ret), .take(ret & ~open), .put_bit(left | back), .top(left_of_list)
+  lp_stack #(.DEPTH(STACK_DEPTH)) stack1 (
+      .clk(clk), .put(contact & open & ~ret), .take(contact & ret & ~open),
+      .put_bit(left | back), .top(left_of_list)
   );
-  lp_stack stack2 (
-      .clk(clk), .enable(contact), .clear(ended),
-      .put(ret), .take(up), .put_bit(right), .top(pwrb)
+  lp_stack #(.DEPTH(STACK_DEPTH)) stack2 (
+      .clk(clk), .put(contact & ret), .take(contact & up), .put_bit(right), .top(pwrb)
   );
 
   always @(posedge clk) begin

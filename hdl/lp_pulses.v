@@ -7,26 +7,13 @@ module lp_pulses #(
     input  wire rst,
     input  wire start_scan,
     input  wire tick,                   // this scan has the tick; read with start_scan
-    output reg  tenth,                  // for the whole scan
-    output reg  second
+    output wire tenth,                  // for the whole scan
+    output wire second
 );
-  reg [31:0] tenth_count;
-  reg [31:0] second_count;
-  wire last_of_tenth  = tenth_count + 32'd1 == TICKS_PER_TENTH;
-  wire last_of_second = second_count + 32'd1 == TICKS_PER_SECOND;
-
-  always @(posedge clk)
-    if (rst) begin
-      tenth_count  <= 32'd0;
-      second_count <= 32'd0;
-      tenth  <= 1'b0;
-      second <= 1'b0;
-    end else if (start_scan) begin
-      tenth  <= tick & last_of_tenth;
-      second <= tick & last_of_second;
-      if (tick) begin
-        tenth_count  <= last_of_tenth ? 32'd0 : tenth_count + 32'd1;
-        second_count <= last_of_second ? 32'd0 : second_count + 32'd1;
-      end
-    end
+  lp_divider #(.TICKS(TICKS_PER_TENTH)) tenths (
+      .clk(clk), .rst(rst), .start_scan(start_scan), .tick(tick), .pulse(tenth)
+  );
+  lp_divider #(.TICKS(TICKS_PER_SECOND)) seconds (
+      .clk(clk), .rst(rst), .start_scan(start_scan), .tick(tick), .pulse(second)
+  );
 endmodule

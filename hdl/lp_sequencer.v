@@ -1,4 +1,5 @@
-// Resets the memories, then scans: samples the inputs, runs the words, shows the outputs.
+// Resets the memories and shows the outputs, then scans: samples the inputs, runs the words, shows the
+// outputs.
 module lp_sequencer #(
     parameter INPUTS = 16,              // 0 to 256
     parameter OUTPUTS = 16
@@ -21,11 +22,10 @@ module lp_sequencer #(
   localparam [2:0] RESET = 3'd0, IDLE = 3'd1, READ = 3'd2, RUN = 3'd3, WRITE = 3'd4, SHOW = 3'd5;
 
   reg [2:0] state;
-  reg settles;                          // the last word of a reset is on its way
   reg [1:0] filled;                     // words behind each other: read from memory, in work
 
   assign resetting       = state == RESET;
-  assign idle            = state == IDLE & ~settles;
+  assign idle            = state == IDLE;
   assign start_scan      = idle & ~halt;
   assign reading_inputs  = state == READ;
   assign running         = state == RUN;
@@ -54,7 +54,7 @@ module lp_sequencer #(
     if (rst) state <= RESET;
     else if (leaves)
       case (state)
-        RESET: state <= IDLE;
+        RESET: state <= WRITE;
         IDLE: state <= INPUTS == 0 ? RUN : READ;
         READ: state <= RUN;
         RUN: state <= WRITE;
@@ -65,8 +65,6 @@ module lp_sequencer #(
   always @(posedge clk)
     if (rst | leaves) count <= 11'd0;
     else if (~hold) count <= count + 11'd1;
-
-  always @(posedge clk) settles <= resetting;
 
   always @(posedge clk)
     if (~running) filled <= 2'b00;

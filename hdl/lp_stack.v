@@ -1,27 +1,20 @@
-// Four bits, last in, first out. Put and take at once exchange the top.
-module lp_stack (
+// Bits, last in, first out. Put and take at once exchange the top. What a circuit leaves behind may
+// stay: the next one never takes more than it has put.
+module lp_stack #(
+    parameter DEPTH = 4
+) (
     input  wire clk,
-    input  wire enable,
-    input  wire clear,                  // holds nothing before this clock's put
     input  wire put,
     input  wire take,
     input  wire put_bit,
     output wire top
 );
-  reg [3:0] bits;
-  reg [1:0] pointer;                    // where the next bit goes; four bits lead back to 0
+  reg [DEPTH-1:0] bits;                 // the top is bit 0
 
-  wire [1:0] below = pointer - 2'd1;
-  wire [1:0] start = clear ? 2'd0 : pointer;
-  wire [1:0] place = take ? below : start;
-
-  assign top = bits[below];
+  assign top = bits[0];
 
   always @(posedge clk)
-    if (enable) begin
-      if (put) bits[place] <= put_bit;
-      if (put & ~take) pointer <= start + 2'd1;
-      else if (take & ~put) pointer <= below;
-      else pointer <= start;
-    end
+    if (put & take) bits[0] <= put_bit;
+    else if (put) bits <= {bits[DEPTH-2:0], put_bit};
+    else if (take) bits <= {1'b0, bits[DEPTH-1:1]};
 endmodule

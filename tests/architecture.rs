@@ -15,11 +15,11 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("circuit", &["index"]),
     ("blocks", &["types", "quantity", "circuit"]),
     ("model", &["index", "source", "types", "syntax", "blocks"]),
-    ("draw", &["source", "syntax", "blocks"]),
     ("check", &["source", "types", "quantity", "diagnostic", "syntax", "blocks", "model"]),
     ("equations", &["index", "types", "blocks", "model"]),
     ("lint", &["index", "source", "types", "diagnostic", "syntax", "blocks", "model", "equations"]),
     ("eval", &["index", "source", "types", "quantity", "diagnostic", "blocks", "model"]),
+    ("draw", &["source", "types", "quantity", "syntax", "blocks", "model", "eval"]),
     ("expand", &["index", "types", "circuit", "blocks", "model", "equations"]),
     (
         "backend",
@@ -69,7 +69,7 @@ const ROOMS: &[(&str, &[&str])] = &[
 const FENCED: &[(&str, &[&str])] = &[
     ("pest::", &["syntax/parse/grammar.rs"]),
     ("pest_derive::", &["syntax/parse/grammar.rs"]),
-    ("askama::", &["backend/", "draw/svg.rs"]),
+    ("askama::", &["backend/", "draw/svg.rs", "draw/timing/"]),
     ("annotate_snippets::", &["diagnostic/"]),
     ("serde::", &["diagnostic/", "report/"]),
     ("serde_json::", &["diagnostic/", "eval/stimulus/", "report/", "cli/"]),

@@ -9,8 +9,11 @@ use std::collections::HashMap;
 use circuit::{Circuit, Effect};
 use common::{amount, examples, generate};
 use fastrand::Rng;
-use hotrail::draw::{Drawing, ElementId, Glyphs, NARROWEST, Options, Rung, Shape, Symbol};
-use hotrail::model::{ArgumentValue, Element, Program, Series};
+use hotrail::draw::{
+    Drawing, ElementId, Glyphs, NARROWEST, Options, Point, Power, Rung, Shape, Symbol,
+};
+use hotrail::eval::{Evaluator, Flow, Seen};
+use hotrail::model::{ArgumentValue, Element, Program, Role, Series};
 use hotrail::source::Source;
 use unicode_width::UnicodeWidthStr;
 
@@ -26,6 +29,13 @@ fn drawing(name: &str, text: &str, width: usize) -> (Program, Drawing) {
 
 /// Every example, what is in this test's folder, and random programs, each at several widths.
 fn for_all(mut check: impl FnMut(&str, &Program, &Drawing)) {
+    for_all_texts(|name, text, width| {
+        let (program, drawing) = drawing(name, text, width);
+        check(name, &program, &drawing);
+    });
+}
+
+fn for_all_texts(mut check: impl FnMut(&str, &str, usize)) {
     let mut programs: Vec<(String, String)> = examples()
         .iter()
         .map(|example| (example.name(), std::fs::read_to_string(&example.ladder).unwrap()))
@@ -36,8 +46,7 @@ fn for_all(mut check: impl FnMut(&str, &Program, &Drawing)) {
     for (index, (name, text)) in programs.iter().enumerate() {
         let widths = [NARROWEST, 81 + index % 40, 250];
         for width in widths {
-            let (program, drawing) = drawing(name, text, width);
-            check(name, &program, &drawing);
+            check(name, text, width);
         }
     }
 }
@@ -77,38 +86,72 @@ fn no_line_is_wider_than_the_drawing() {
     });
 }
 
+/// The drawing with room for values and the power of a scan after some others.
+fn with_flow(program: &Program, text: &str, width: usize, seed: u64) -> Drawing {
+    let mut random = Rng::with_seed(seed);
+    let mut evaluator = Evaluator::new(program);
+    let mut flow = Flow::at_reset(program);
+    for _ in 0..random.usize(1..8) {
+        for (input, variable) in program.with_role(Role::Input) {
+            let (low, high) = variable.ty.range();
+            evaluator.drive(input, random.i64(low..=high));
+        }
+        flow = evaluator.scan_seen(random.u8(0..4) > 0);
+    }
+    Drawing::with_flow(&Source::new("with_flow", text), &Options { width }, &flow)
+}
+
+/// Every program that is looked at, in some scan.
+fn for_all_scans(mut check: impl FnMut(&str, &Program, &Drawing)) {
+    let mut seed = 0;
+    for_all_texts(|name, text, width| {
+        let (program, _) = drawing(name, text, width);
+        seed += 1;
+        check(name, &program, &with_flow(&program, text, width, seed));
+    });
+}
+
 /// What takes cells of its own keeps off everything else that does.
 #[test]
 fn nothing_is_drawn_over_something_else() {
-    for_all(|name, _, drawing| {
-        for rung in &drawing.rungs {
-            let mut taken: HashMap<(i32, i32), &Shape> = HashMap::new();
-            for part in &rung.parts {
-                let (at, width) = match &part.shape {
-                    Shape::Text(text) => (text.at, text.width),
-                    Shape::References { at, references, .. } => {
-                        (*at, references.to_string().width() as i32)
-                    }
-                    Shape::Arrow { at, .. } => (*at, 1),
-                    _ => continue,
-                };
-                for x in at.x..at.x + width {
-                    assert!((1..drawing.width - 1).contains(&x), "{name}: {:?}", part.shape);
-                    let before = taken.insert((x, at.y), &part.shape);
-                    assert!(before.is_none(), "{name}: {:?} over {before:?}", part.shape);
+    for_all(|name, _, drawing| keeps_off(name, drawing));
+    for_all_scans(|name, _, drawing| keeps_off(name, drawing));
+}
+
+fn keeps_off(name: &str, drawing: &Drawing) {
+    for rung in &drawing.rungs {
+        let mut taken: HashMap<(i32, i32), &Shape> = HashMap::new();
+        for part in &rung.parts {
+            let (at, width) = match &part.shape {
+                Shape::Text(text) => (text.at, text.width),
+                Shape::References { at, references, .. } => {
+                    (*at, references.to_string().width() as i32)
                 }
-            }
-            for part in &rung.parts {
-                let cells = line_cells(&part.shape);
-                for cell in cells {
-                    let hit = taken.get(&cell);
-                    // A wire ends at the arrow that goes on.
-                    let hit = hit.filter(|shape| !matches!(shape, Shape::Arrow { .. }));
-                    assert!(hit.is_none(), "{name}: {hit:?} on {:?}\n{}", part.shape, rung.written);
+                Shape::Arrow { at, .. } => (*at, 1),
+                Shape::Reading { at, width, .. } => {
+                    let text =
+                        rung.reading(part.element, &part.shape).map_or(0, |(_, text)| text.width());
+                    assert!(text <= *width as usize, "{name}: {:?}", part.shape);
+                    (*at, *width)
                 }
+                _ => continue,
+            };
+            for x in at.x..at.x + width {
+                assert!((1..drawing.width - 1).contains(&x), "{name}: {:?}", part.shape);
+                let before = taken.insert((x, at.y), &part.shape);
+                assert!(before.is_none(), "{name}: {:?} over {before:?}", part.shape);
             }
         }
-    });
+        for part in &rung.parts {
+            let cells = line_cells(&part.shape);
+            for cell in cells {
+                let hit = taken.get(&cell);
+                // A wire ends at the arrow that goes on.
+                let hit = hit.filter(|shape| !matches!(shape, Shape::Arrow { .. }));
+                assert!(hit.is_none(), "{name}: {hit:?} on {:?}\n{}", part.shape, rung.written);
+            }
+        }
+    }
 }
 
 /// The cells that a line goes through.
@@ -230,6 +273,37 @@ fn a_drawing_means_what_the_program_means() {
         }
     });
     assert!(compared > 10_000, "{compared}");
+}
+
+/// Every wire of a drawing that shows a scan is live where its circuit has power in that scan, for
+/// what each of its elements did then.
+#[test]
+fn wires_are_live_where_the_evaluator_has_power() {
+    let mut live = [0; 2];
+    for_all_scans(|name, _, drawing| {
+        for rung in &drawing.rungs {
+            let circuit = Circuit::of(drawing, rung);
+            let seen = rung.seen.as_ref().unwrap();
+            let effect = |element: ElementId| match &seen[element as usize] {
+                Seen { power: false, out: true, .. } => Effect::Gives(true),
+                Seen { out, .. } => Effect::Passes(*out),
+            };
+            let wires: Vec<(Point, Power)> = rung
+                .parts
+                .iter()
+                .filter_map(|part| match part.shape {
+                    Shape::Wire { from, power, .. } if power != Power::Value => Some((from, power)),
+                    _ => None,
+                })
+                .collect();
+            let found = circuit.powers_at(&effect, wires.iter().map(|(at, _)| *at));
+            for ((at, power), found) in wires.iter().zip(found) {
+                assert_eq!(rung.has_power(*power), found, "{name}, {at:?}: {}", rung.written);
+                live[usize::from(found)] += 1;
+            }
+        }
+    });
+    assert!(live.iter().all(|&wires| wires > 10_000), "{live:?}");
 }
 
 #[derive(Debug, Default, PartialEq, Eq)]

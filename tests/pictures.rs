@@ -6,7 +6,10 @@ mod common;
 use std::process::Command;
 
 use common::{examples, require_tool};
-use hotrail::draw::{Drawing, Options};
+use fastrand::Rng;
+use hotrail::draw::{Drawing, Options, Timing};
+use hotrail::eval::{Evaluator, Flow};
+use hotrail::model::{Role, VariableId};
 use hotrail::source::Source;
 
 const LOOK: &str = include_str!("pictures/look.html");
@@ -21,6 +24,32 @@ const FAULTY: &str = r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 200
 fn svg(name: &str, text: &str) -> String {
     let source = Source::new(name, text);
     Drawing::new(&source, &Options::default()).svg()
+}
+
+/// The ladder with the power of a scan, and the timing diagram of everything that has a name, in
+/// a run on random inputs that change now and then.
+fn of_a_run(name: &str, text: &str, seed: u64) -> [String; 2] {
+    let source = Source::new(name, text);
+    let program = hotrail::analyze(&source).0.unwrap();
+    let named: Vec<VariableId> = program.named_variables().map(|(id, _)| id).collect();
+    let mut random = Rng::with_seed(seed);
+    let mut evaluator = Evaluator::new(&program);
+    let mut timing = Timing::new(&program, &named);
+    let mut flow = Flow::at_reset(&program);
+    for _ in 0..8 {
+        for (input, variable) in program.with_role(Role::Input) {
+            let (low, high) = variable.ty.range();
+            evaluator.drive(input, random.i64(low..=high));
+        }
+        for _ in 0..random.usize(1..30) {
+            let tick = random.u8(0..9) > 0;
+            flow = evaluator.scan_seen(tick);
+            timing.scan(tick, |variable| evaluator.value(variable));
+        }
+    }
+    let drawing = Drawing::with_flow(&source, &Options::default(), &flow);
+    let moment = Some("power in some scan".to_owned());
+    [Drawing { moment, ..drawing }.svg(), timing.svg()]
 }
 
 /// What the page says of some pictures.
@@ -51,13 +80,17 @@ fn pictures_look_right_in_a_browser() {
     }
     let every_shape = svg("every_shape.ladder", EVERY_SHAPE);
     let mut pictures = every_shape.clone();
-    for example in examples() {
+    let of_every_shape = of_a_run("every_shape.ladder", EVERY_SHAPE, 0).concat();
+    let dark = every_shape + &of_every_shape;
+    pictures += &of_every_shape;
+    for (example, seed) in examples().iter().zip(1..) {
         let text = std::fs::read_to_string(&example.ladder).unwrap();
         pictures += &svg(&example.name(), &text);
+        pictures += &of_a_run(&example.name(), &text, seed).concat();
     }
-    let count = examples().len() + 1;
+    let count = 3 * (examples().len() + 1);
     for (scheme, paper, pictures, count) in
-        [(LIGHT, "rgb(255, 255, 255)", pictures, count), (DARK, "rgb(20, 24, 29)", every_shape, 1)]
+        [(LIGHT, "rgb(255, 255, 255)", pictures, count), (DARK, "rgb(20, 24, 29)", dark, 3)]
     {
         let lines = look(&pictures, scheme);
         assert_eq!(lines.len(), count, "{lines:#?}");

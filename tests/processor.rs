@@ -2,78 +2,14 @@
 
 mod common;
 
-use common::shrink::shrink;
-use common::{amount, relay};
+use common::emulated::compile;
+use common::{amount, checks};
 use fastrand::Rng;
 use hotrail::backend::processor::{
-    self, Bridge, Contact, Image, Machine, Operation, Tree, Word, decode, encode,
+    self, Bridge, Contact, Machine, Operation, Tree, Word, decode, encode,
 };
-use hotrail::diagnostic;
 use hotrail::eval::Evaluator;
-use hotrail::model::{Program, Role, VariableId};
-use hotrail::source::Source;
-use hotrail::types::Type;
-
-fn analyze(text: &str) -> Result<Program, String> {
-    let source = Source::new("test.ladder", text);
-    let (program, diagnostics) = hotrail::analyze(&source);
-    program.ok_or_else(|| {
-        diagnostics.iter().map(|found| diagnostic::render(found, &source, false)).collect()
-    })
-}
-
-fn compile(text: &str) -> Result<(Program, Image), String> {
-    let program = analyze(text)?;
-    match processor::compile(&program) {
-        Ok(image) => Ok((program, image)),
-        Err(findings) => {
-            let source = Source::new("test.ladder", text);
-            Err(findings.iter().map(|found| diagnostic::render(found, &source, false)).collect())
-        }
-    }
-}
-
-/// Drives both with the same inputs and ticks and says what differs.
-fn difference(program: &Program, image: &Image, scans: usize, mut random: Rng) -> Option<String> {
-    let mut evaluator = Evaluator::new(program);
-    let mut machine = Machine::new(&image.rom).expect("the compiler's image can be run");
-    let inputs: Vec<VariableId> = program.with_role(Role::Input).map(|(id, _)| id).collect();
-    let tick_one_in = random.u8(1..4);
-    for scan in 0..scans {
-        for &input in &inputs {
-            if random.u8(..3) > 0 {
-                continue;
-            }
-            if let Some(address) = image.layout.bit(input) {
-                let value = random.bool();
-                evaluator.drive(input, value.into());
-                machine.drive(address, value);
-            } else if let Some(register) = image.layout.register(input) {
-                let value = [-1, 0, 1, 2, 3, 5, 20_000][random.usize(..7)];
-                evaluator.drive(input, value);
-                machine.write_register(register, value as u16);
-            }
-        }
-        let tick = random.u8(..tick_one_in) == 0;
-        evaluator.scan(tick);
-        machine.scan(tick);
-        for (id, variable) in program.variables.iter() {
-            let shown = match variable.ty {
-                Type::Bool => image.layout.bit(id).map(|address| i64::from(machine.bit(address))),
-                _ => {
-                    let register = image.layout.register(id);
-                    register.map(|register| variable.ty.wrap(machine.register(register).into()))
-                }
-            };
-            let Some(shown) = shown else { continue };
-            let meant = evaluator.value(id);
-            if shown != meant {
-                return Some(format!("scan {scan}: {} is {meant}, here {shown}", variable.name));
-            }
-        }
-    }
-    None
-}
+use hotrail::model::{Role, VariableId};
 
 /// The paper's own order of contacts and its coil 316.
 #[test]
@@ -286,24 +222,8 @@ fn the_words_of_a_tree_tell_the_tree() {
 
 #[test]
 fn random_programs() {
-    let (programs, mut ran) = (amount("HOTRAIL_RANDOM_PROGRAMS", 1000), 0);
-    for seed in 0..programs {
-        let text = relay::program(seed);
-        let (program, image) = match compile(&text) {
-            Ok(compiled) => compiled,
-            Err(wrong) if wrong.contains("E0802") => continue,
-            Err(wrong) => panic!("{text}\n{wrong}"),
-        };
-        ran += 1;
-        let Some(wrong) = difference(&program, &image, 200, Rng::with_seed(seed)) else { continue };
-        let fails = |text: &str| {
-            compile(text).is_ok_and(|(program, image)| {
-                difference(&program, &image, 200, Rng::with_seed(seed)).is_some()
-            })
-        };
-        panic!("seed {seed}, {wrong}; the smallest such program:\n{}", shrink(&text, fails));
-    }
-    assert!(ran * 5 > programs * 4, "{ran} of {programs} fit into the code memory");
+    let tally = checks::PROCESSOR.hold(amount("HOTRAIL_RANDOM_PROGRAMS", 1000));
+    assert!(tally.skipped * 4 < tally.programs, "{} do not fit", tally.skipped);
 }
 
 /// The function paper's example: three registers, 0 enters at the low end.

@@ -52,6 +52,24 @@ fn drawings_are_what_is_drawn() {
     assert!(now == picture, "the picture is out of date: {hint}");
 }
 
+/// The power that docs/drawing.md shows is that of the example.
+#[test]
+fn the_power_of_a_scan_is_what_is_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    let stimulus = folder.path().join("stimulus.csv");
+    std::fs::write(&stimulus, "start\n1\n0\n").unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_hotrail"))
+        .args(["draw", "examples/start_stop/start_stop.ladder", "--width", "80", "--at", "3200"])
+        .arg("--stimulus")
+        .arg(&stimulus)
+        .output()
+        .unwrap();
+    let drawn = String::from_utf8(output.stdout).unwrap();
+    let (_, rungs) = drawn.split_once("\n\n").unwrap();
+    let page = std::fs::read_to_string("docs/drawing.md").unwrap();
+    assert!(page.contains(rungs), "docs/drawing.md does not show\n{rungs}");
+}
+
 #[test]
 fn the_ladder_and_the_verilog_belong_together() {
     let [ladder] = blocks("ladder")[..] else { panic!("the README shows one ladder") };

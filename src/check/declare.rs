@@ -195,9 +195,15 @@ impl<'s> Checker<'s> {
         }
         let entity = match block {
             Some(block) => {
+                let findings = self.diagnostics.len();
                 let shape = self.shape(call, block);
+                let is_sound = self.diagnostics.len() == findings;
                 let given = call.arguments.iter().map(|argument| argument.name.text).collect();
-                Entity::Instance(self.instance(call.name.text, shape, call.name.span, given))
+                let instance = self.instance(call.name.text, shape, call.name.span, given);
+                if !is_sound {
+                    self.unsettled.insert(instance);
+                }
+                Entity::Instance(instance)
             }
             None => {
                 self.report(unknown_block(call.kind));

@@ -14,10 +14,10 @@ mod settings;
 mod test;
 mod variables;
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use crate::diagnostic::{Diagnostic, code};
-use crate::model::{Program, Rung, VariableId};
+use crate::model::{InstanceId, Program, Rung, VariableId};
 use crate::source::Source;
 use crate::syntax::ast::{File, Item, Name, Reserved};
 pub use declare::program_name;
@@ -40,6 +40,10 @@ struct Checker<'s> {
     expectations: usize,
     /// The pulse of each unit of time that some block needs, by its length in nanoseconds.
     units: HashMap<u64, VariableId>,
+    /// Instances whose settings are wrong: which members they have is not known.
+    unsettled: HashSet<InstanceId>,
+    /// Elements of arrays, and those that indexes choose among while the program runs.
+    elements: u64,
     /// The words of the register of the call that is being declared.
     register: Vec<VariableId>,
     /// Who has which image address.
@@ -57,6 +61,8 @@ pub fn check(source: &Source, file: &File<'_>) -> (Option<Program>, Vec<Diagnost
         first_scan: None,
         expectations: 0,
         units: HashMap::new(),
+        unsettled: HashSet::new(),
+        elements: 0,
         register: Vec::new(),
         addresses: HashMap::new(),
     };

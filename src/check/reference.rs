@@ -2,8 +2,9 @@
 
 use super::names::{Constant, Entity};
 use super::{Checked, Checker, Reported, literal};
+use crate::blocks::Port;
 use crate::diagnostic::{Diagnostic, code, shortened, similar_name};
-use crate::model::{ArrayId, Base, ExprKind, InstanceId, Place, VariableId};
+use crate::model::{Array, ArrayId, Base, ExprKind, InstanceId, Place, VariableId};
 use crate::source::Span;
 use crate::syntax::ast::{self, Accessor, Literal, Reference};
 use crate::types::Type;
@@ -122,6 +123,14 @@ impl<'s> Checker<'s> {
 
     /// The element of an index.
     fn element_of(&mut self, array: ArrayId, index: &ast::Expr<'s>) -> Checked<Base> {
+        // A number need not fit a type to be out of range.
+        let written = match &index.kind {
+            ast::ExprKind::Literal(number) => literal::integer(*number),
+            _ => None,
+        };
+        if let Some(value) = written.filter(|&value| i32::try_from(value).is_err()) {
+            return Err(self.no_such_element(array, value, index.span));
+        }
         let checked = self.expression(index, None)?;
         if !checked.ty.is_integer() {
             let message = format!("an index is an integer, this is {}", checked.ty);
@@ -132,28 +141,36 @@ impl<'s> Checker<'s> {
         }
         let elements = self.program.arrays[array].elements;
         let ExprKind::Constant(value) = checked.kind else {
+            self.count_elements(elements.length, index.span)?;
             return Ok(Base::Element { elements, index: Box::new(checked) });
         };
-        elements.get(value).map(Base::Variable).ok_or_else(|| {
-            let name = &self.program.arrays[array].name;
-            let last = elements.length - 1;
-            let message = match last {
-                0 => format!("`{name}` has the one element {name}[0]"),
-                _ => format!("`{name}` has the elements {name}[0] to {name}[{last}]"),
-            };
-            let diagnostic = Diagnostic::new(code::OUT_OF_RANGE, index.span, message)
-                .label(format!("there is no element {value}"))
-                .help("elements are counted from 0");
-            self.report(diagnostic)
-        })
+        let element = elements.get(value).map(Base::Variable);
+        element.ok_or_else(|| self.no_such_element(array, value.into(), index.span))
     }
 
-    fn member(&mut self, instance: InstanceId, member: ast::Name<'s>) -> Checked<VariableId> {
-        let instance = &self.program.instances[instance];
+    fn no_such_element(&mut self, array: ArrayId, value: i128, span: Span) -> Reported {
+        let Array { name, elements } = &self.program.arrays[array];
+        let last = elements.length - 1;
+        let message = match last {
+            0 => format!("`{name}` has the one element {name}[0]"),
+            _ => format!("`{name}` has the elements {name}[0] to {name}[{last}]"),
+        };
+        let diagnostic = Diagnostic::new(code::OUT_OF_RANGE, span, message)
+            .label(format!("there is no element {value}"))
+            .help("elements are counted from 0");
+        self.report(diagnostic)
+    }
+
+    fn member(&mut self, id: InstanceId, member: ast::Name<'s>) -> Checked<VariableId> {
+        let instance = &self.program.instances[id];
         let shape = &instance.shape;
         let port = shape.port_named(member.text).filter(|&port| shape.ports[port].role.is_member());
         if let Some(port) = port {
             return Ok(instance.members[port]);
+        }
+        let may_be_there = |port: &Port| port.name == member.text;
+        if self.unsettled.contains(&id) && shape.block.ports.iter().any(may_be_there) {
+            return Err(Reported);
         }
         let members = || {
             let ports = shape.ports.iter().filter(|port| port.role.is_member());

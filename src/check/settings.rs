@@ -183,18 +183,19 @@ impl<'s> Checker<'s> {
         most: usize,
         value: &ast::ArgumentValue<'s>,
     ) -> Checked<Vec<i64>> {
-        let ast::ArgumentValue::List(items, span) = value else {
-            let message = format!("{} takes a list of constants", setting.name);
-            let diagnostic = Diagnostic::new(code::BAD_ARGUMENT, value.span(), message)
-                .label("not a list")
-                .help(format!("put the constants in brackets: {} := [10, 20]", setting.name));
-            return Err(self.report(diagnostic));
+        let (items, span): (&[_], _) = match value {
+            ast::ArgumentValue::List(items, span) => (items, *span),
+            ast::ArgumentValue::Network(series) if is_empty_list(series) => (&[], series.span),
+            _ => return Err(self.not_a_list(setting, value.span())),
         };
         if !(1..=most).contains(&items.len()) {
             let message = format!("{} has 1 to {most} constants", setting.name);
-            let diagnostic = Diagnostic::new(code::BAD_ARGUMENT, *span, message)
+            let diagnostic = Diagnostic::new(code::BAD_ARGUMENT, span, message)
                 .label(format!("this has {}", items.len()))
-                .help("leave some of them out, or use a second block");
+                .help(match items.len() {
+                    0 => format!("give one at least: {} := [10, 20]", setting.name),
+                    _ => "leave some of them out, or use a second block".to_owned(),
+                });
             return Err(self.report(diagnostic));
         }
         let mut numbers = Vec::new();
@@ -210,6 +211,14 @@ impl<'s> Checker<'s> {
             numbers.push(number);
         }
         Ok(numbers)
+    }
+
+    fn not_a_list(&mut self, setting: &Setting, span: Span) -> super::Reported {
+        let message = format!("{} takes a list of constants", setting.name);
+        let diagnostic = Diagnostic::new(code::BAD_ARGUMENT, span, message)
+            .label("not a list")
+            .help(format!("put the constants in brackets: {} := [10, 20]", setting.name));
+        self.report(diagnostic)
     }
 
     /// Arguments for the pulses of time that a block needs. Their dividers are made for the first
@@ -266,5 +275,17 @@ impl<'s> Checker<'s> {
             .label(format!("a tick is {tick}"))
             .help(format!("declare a tick that divides {unit}, or {another}"));
         self.report(diagnostic)
+    }
+}
+
+/// True for brackets with nothing in them, which may be a list of anything.
+fn is_empty_list(series: &ast::Series<'_>) -> bool {
+    let is_empty = |branch: &ast::Series<'_>| branch.elements.is_empty();
+    match series.elements.as_slice() {
+        [element] => match &element.kind {
+            ast::ElementKind::Parallel(branches) => branches.iter().all(is_empty),
+            _ => false,
+        },
+        _ => false,
     }
 }

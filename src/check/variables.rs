@@ -11,6 +11,10 @@ use crate::types::Type;
 /// Elements of the longest array: each is a register of its own.
 const MOST_ELEMENTS: u32 = 1024;
 
+/// Elements of all arrays together, and those that indexes choose among while the program runs: a
+/// few characters ask for very much hardware there.
+const MOST_TOGETHER: u64 = 65_536;
+
 /// What the names of a declaration are.
 #[derive(Clone, Copy)]
 struct Kind {
@@ -59,6 +63,23 @@ impl<'s> Checker<'s> {
         })
     }
 
+    /// Counts elements that are declared, or that an index chooses among while the program runs.
+    pub(super) fn count_elements(&mut self, length: u32, span: Span) -> Checked<()> {
+        let before = self.elements;
+        self.elements += u64::from(length);
+        if self.elements <= MOST_TOGETHER {
+            return Ok(());
+        }
+        if before > MOST_TOGETHER {
+            return Err(Reported);
+        }
+        let message = format!("the arrays need hardware for more than {MOST_TOGETHER} elements");
+        let diagnostic = Diagnostic::new(code::ARRAYS_TOO_LARGE, span, message)
+            .label("too many with this")
+            .help("an element is a register, and an index that changes chooses among all of them");
+        Err(self.report(diagnostic))
+    }
+
     /// The type of a constant.
     pub(super) fn scalar_type(&mut self, name: &TypeName<'s>) -> Checked<Type> {
         let ty = self.type_named(name.name)?;
@@ -88,6 +109,9 @@ impl<'s> Checker<'s> {
 
     fn variable(&mut self, kind: Kind, declarator: &Declarator<'s>) -> Entity {
         let length = kind.length.unwrap_or(1);
+        if kind.length.is_some() && self.count_elements(length, declarator.name.span).is_err() {
+            return Entity::Broken;
+        }
         let initial = match &declarator.initial {
             None => Vec::new(),
             Some(initial) => self.initial_values(kind, initial).unwrap_or_default(),

@@ -10,7 +10,9 @@ use hotrail::draw::{self, Drawing, Glyphs, NARROWEST, Rung, WIDEST};
 use hotrail::files;
 use hotrail::lint;
 
+use super::pictures;
 use super::report::Report;
+use super::sim::read_stimulus;
 use super::{Sources, Verdict};
 
 /// Draw ladder files: contacts, coils and blocks between their rails
@@ -21,6 +23,7 @@ that read it (→).
 Examples:
   hotrail draw conveyor.ladder
   hotrail draw conveyor.ladder --rung 3 --rung belt
+  hotrail draw conveyor.ladder --stimulus stimulus.csv --at 120
   hotrail draw conveyor.ladder --format svg > conveyor.svg
   hotrail draw *.ladder --format svg -o pictures")]
 pub struct Options {
@@ -38,6 +41,12 @@ pub struct Options {
     /// Draw only this rung: its number, or a part of its title; may be given several times
     #[arg(long = "rung", value_name = "RUNG")]
     rungs: Vec<String>,
+    /// Draw the power of a scan too: the stimulus, as for `hotrail sim`, of one program
+    #[arg(long, value_name = "FILE")]
+    stimulus: Option<PathBuf>,
+    /// The scan that is drawn, from 0; the stimulus's last one if it is not said
+    #[arg(long, value_name = "SCAN", requires = "stimulus")]
+    at: Option<usize>,
     /// Folder for the pictures, NAME.svg each; without it they go to standard output
     #[arg(short, long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -70,7 +79,14 @@ pub fn run(options: &Options, report: &mut Report) -> anyhow::Result<Verdict> {
     if !is_text && options.out.is_none() && options.sources.files.len() > 1 {
         bail!("several pictures need a folder: say -o DIR");
     }
-    let Some(mut drawings) = draw_all(options, report) else { return Ok(Verdict::Bad) };
+    if options.stimulus.is_some() && options.sources.files.len() > 1 {
+        bail!("a stimulus belongs to one program");
+    }
+    let standard_inputs = options.sources.files.iter().chain(&options.stimulus);
+    if standard_inputs.filter(|path| path.as_os_str() == "-").count() > 1 {
+        bail!("standard input can be read once only");
+    }
+    let Some(mut drawings) = draw_all(options, report)? else { return Ok(Verdict::Bad) };
     for wanted in &options.rungs {
         let mut rungs = drawings.iter().flat_map(|(_, drawing)| &drawing.rungs);
         if !rungs.any(|rung| is_meant(wanted, rung)) {
@@ -84,7 +100,10 @@ pub fn run(options: &Options, report: &mut Report) -> anyhow::Result<Verdict> {
     }
     if is_text {
         let glyphs = if options.ascii { Glyphs::Ascii } else { Glyphs::Unicode };
-        let texts: Vec<String> = drawings.iter().map(|(_, drawing)| drawing.text(glyphs)).collect();
+        let texts: Vec<String> = drawings
+            .iter()
+            .map(|(_, drawing)| pictures::terminal_text(drawing, glyphs, report))
+            .collect();
         report.result(&texts.join("\n"));
         return Ok(Verdict::Good);
     }
@@ -107,16 +126,34 @@ pub fn run(options: &Options, report: &mut Report) -> anyhow::Result<Verdict> {
 }
 
 /// The drawing of each file, or nothing if one of them is wrong.
-fn draw_all(options: &Options, report: &mut Report) -> Option<Vec<(PathBuf, Drawing)>> {
+fn draw_all(
+    options: &Options,
+    report: &mut Report,
+) -> anyhow::Result<Option<Vec<(PathBuf, Drawing)>>> {
     // Who wants to see a ladder asks whether it can be drawn; `check` tells the rest.
     let lints = lint::Options { off: true, ..lint::Options::default() };
     let look = draw::Options { width: options.width.into() };
-    let mut draw = |path: &PathBuf| {
-        let (source, _) = report.analyze(path, &lints)?;
-        Some((path.clone(), Drawing::new(&source, &look)))
-    };
-    let drawings: Vec<Option<_>> = options.sources.files.iter().map(&mut draw).collect();
-    drawings.into_iter().collect()
+    let mut drawings = Vec::new();
+    let mut is_good = true;
+    for path in &options.sources.files {
+        let Some((source, program)) = report.analyze(path, &lints) else {
+            is_good = false;
+            continue;
+        };
+        let drawing = match &options.stimulus {
+            None => Drawing::new(&source, &look),
+            Some(stimulus) => {
+                let Some(stimulus) = read_stimulus(&program, Some(stimulus), report)? else {
+                    return Ok(None);
+                };
+                let (flow, moment) = pictures::at(&program, &stimulus, options.at)?;
+                let drawing = Drawing::with_flow(&source, &look, &flow);
+                Drawing { moment: Some(moment), ..drawing }
+            }
+        };
+        drawings.push((path.clone(), drawing));
+    }
+    Ok(is_good.then_some(drawings))
 }
 
 /// True if a rung is the one of that number, or has that text in its title.

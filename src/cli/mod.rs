@@ -12,6 +12,7 @@ mod fmt;
 mod lints;
 mod new;
 mod order;
+mod pictures;
 mod report;
 mod rom;
 mod schedule;
@@ -111,12 +112,16 @@ enum MessageFormat {
 
 impl Style {
     fn use_color(self) -> bool {
+        self.use_color_on(&std::io::stderr())
+    }
+
+    fn use_color_on(self, stream: &impl IsTerminal) -> bool {
         match self.color {
             Color::Always => true,
             Color::Never => false,
             Color::Auto => {
                 let asked_not_to = std::env::var_os("NO_COLOR").is_some_and(|v| !v.is_empty());
-                !asked_not_to && std::io::stderr().is_terminal()
+                !asked_not_to && stream.is_terminal()
             }
         }
     }

@@ -120,6 +120,11 @@ impl Report {
         }
     }
 
+    /// True if a result may have colours in it.
+    pub fn colors_results(&self) -> bool {
+        self.style.use_color_on(&io::stdout())
+    }
+
     /// Ends the report.
     pub fn finish(self) {
         if self.style.message_format == MessageFormat::Sarif {

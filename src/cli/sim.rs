@@ -8,12 +8,14 @@ use clap::ValueEnum;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use hotrail::backend::Vcd;
+use hotrail::draw::{Drawing, Timing};
 use hotrail::eval::{Evaluator, Machine, Stimulus};
 use hotrail::files::NewFile;
 use hotrail::lint;
 use hotrail::model::{Program, Role, VariableId};
 
 use super::order::Order;
+use super::pictures;
 use super::report::Report;
 use super::table::Table;
 use super::{Verdict, split_names};
@@ -44,6 +46,15 @@ pub struct Options {
     /// - writes it to standard output instead of the table
     #[arg(long, value_name = "FILE")]
     vcd: Option<PathBuf>,
+    /// Draw the ladder with the power of a scan as an SVG picture too
+    #[arg(long, value_name = "FILE")]
+    svg: Option<PathBuf>,
+    /// The scan of that picture, from 0; the last one if it is not said
+    #[arg(long, value_name = "SCAN", requires = "svg")]
+    at: Option<usize>,
+    /// Draw a timing diagram of inputs and outputs, or of what is watched, as an SVG picture too
+    #[arg(long, value_name = "FILE")]
+    waves: Option<PathBuf>,
 }
 
 const EXAMPLES: &str = "\
@@ -53,7 +64,9 @@ tick. An empty cell keeps the value of the row before.
 Examples:
   hotrail sim conveyor.ladder stimulus.csv
   hotrail sim conveyor.ladder - --watch motor,delay.ET --format jsonl < stimulus.csv
-  hotrail sim conveyor.ladder stimulus.csv --scans 10000 --vcd conveyor.vcd";
+  hotrail sim conveyor.ladder stimulus.csv --scans 10000 --vcd conveyor.vcd
+  hotrail sim conveyor.ladder stimulus.csv --svg power.svg --at 120
+  hotrail sim conveyor.ladder stimulus.csv --waves waves.svg --watch start,motor,delay.ET";
 
 #[derive(ValueEnum, Clone, Copy, PartialEq, Eq)]
 pub enum Format {
@@ -61,6 +74,13 @@ pub enum Format {
     Csv,
     /// One JSON object in a line for each scan
     Jsonl,
+}
+
+impl Options {
+    /// The files that are read and must not be written.
+    fn sources(&self) -> Vec<PathBuf> {
+        [Some(&self.file), self.stimulus.as_ref()].into_iter().flatten().cloned().collect()
+    }
 }
 
 /// A run of fewer scans is over before anybody could read how far it is.
@@ -74,7 +94,7 @@ pub fn run(options: &Options, report: &mut Report) -> anyhow::Result<Verdict> {
     if options.stimulus.as_ref() == Some(&options.file) && options.file.as_os_str() == "-" {
         bail!("standard input cannot be both the program and its stimulus");
     }
-    let Some((_, mut program)) = report.analyze(&options.file, &lints) else {
+    let Some((source, mut program)) = report.analyze(&options.file, &lints) else {
         return Ok(Verdict::Bad);
     };
     report.reorder(&options.file, &mut program, options.order);
@@ -84,12 +104,22 @@ pub fn run(options: &Options, report: &mut Report) -> anyhow::Result<Verdict> {
     let watched = watched(&program, &options.watch)?;
     let scans = options.scans.unwrap_or(stimulus.len());
     let mut sink = Sink::new(&program, watched.as_deref(), options)?;
+    let last = scans.saturating_sub(1);
+    let shown = options.svg.is_some().then_some(options.at.unwrap_or(last));
+    if shown.is_some_and(|scan| scan >= scans) {
+        bail!("the run has {scans} scans, from 0; --scans N runs more");
+    }
     let progress = progress(scans);
     let mut machine = Evaluator::new(&program);
     for scan in 0..scans {
         let row = stimulus.row(scan);
         row.drives.iter().for_each(|&(input, value)| machine.drive(input, value));
-        Machine::scan(&mut machine, row.tick);
+        if shown == Some(scan) {
+            let flow = machine.scan_seen(row.tick);
+            sink.power = Some(pictures::power(&source, &flow, scan));
+        } else {
+            Machine::scan(&mut machine, row.tick);
+        }
         sink.scan(row.tick, &machine);
         if sink.is_full() {
             sink.flush(report)?;
@@ -97,7 +127,7 @@ pub fn run(options: &Options, report: &mut Report) -> anyhow::Result<Verdict> {
         }
     }
     progress.finish_and_clear();
-    sink.finish(report)?;
+    sink.finish(report, options)?;
     Ok(Verdict::Good)
 }
 
@@ -160,6 +190,9 @@ struct Sink {
     dump: Option<(Vcd, Option<NewFile>)>,
     /// What of the dump is not written yet.
     piece: Vec<u8>,
+    timing: Option<Timing>,
+    /// The ladder in the scan that is shown.
+    power: Option<Drawing>,
 }
 
 impl Sink {
@@ -178,15 +211,15 @@ impl Sink {
         let dump = match &options.vcd {
             None => None,
             Some(path) => {
-                let sources = [Some(options.file.clone()), options.stimulus.clone()];
-                let sources: Vec<PathBuf> = sources.into_iter().flatten().collect();
+                let sources = options.sources();
                 let file = (!to_stdout).then(|| NewFile::create(path, &sources)).transpose()?;
                 let shown: Vec<VariableId> = watched.map_or_else(all, <[VariableId]>::to_vec);
                 Some((Vcd::new(program, &shown), file))
             }
         };
+        let timing = options.waves.is_some().then(|| Timing::new(program, &columns));
         let table = (!to_stdout).then(|| Table::new(program, columns, options.format));
-        Ok(Sink { table, dump, piece: Vec::new() })
+        Ok(Sink { table, dump, piece: Vec::new(), timing, power: None })
     }
 
     fn scan(&mut self, tick: bool, machine: &impl Machine) {
@@ -196,6 +229,9 @@ impl Sink {
         if let Some((dump, _)) = &mut self.dump {
             dump.scan(tick, |variable| machine.value(variable));
             self.piece.append(&mut dump.take());
+        }
+        if let Some(timing) = &mut self.timing {
+            timing.scan(tick, |variable| machine.value(variable));
         }
     }
 
@@ -217,8 +253,13 @@ impl Sink {
         Ok(())
     }
 
-    fn finish(mut self, report: &Report) -> anyhow::Result<()> {
+    fn finish(mut self, report: &Report, options: &Options) -> anyhow::Result<()> {
         self.flush(report)?;
+        let power = options.svg.as_ref().zip(self.power.map(|power| power.svg()));
+        let timing = options.waves.as_ref().zip(self.timing.map(|timing| timing.svg()));
+        for (path, picture) in power.into_iter().chain(timing) {
+            pictures::write(path, &picture, &options.sources())?;
+        }
         if let Some((dump, file)) = self.dump {
             let rest = dump.finish();
             match file {

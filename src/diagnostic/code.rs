@@ -130,6 +130,7 @@ codes! {
     Error E0205 BAD_CLOCK "the clock or the tick cannot be used"
     Error E0206 BAD_ADDRESS "an image address is out of its region or taken"
     Error E0207 BAD_CALL "a function has too few or too many arguments"
+    Error E0208 ARRAYS_TOO_LARGE "the arrays need too much hardware"
     // Rungs
     Error E0301 EMPTY_BRANCH "a branch or network is empty"
     Error E0302 NO_OUTPUT "a rung has no coil, assignment or block"

@@ -1,12 +1,14 @@
 //! From the tree of a rung to elements with their room.
 
-use super::call::{Call, Fed, Input};
-use super::cells::{ElementId, Symbol};
+use super::call::{Call, Fed};
+use super::cells::{ElementId, Form, Symbol};
 use super::net::{Connection, Net};
 use super::node::{Node, Series};
+use super::pins::Pins;
 use super::references::{References, Uses, coil_sign};
 use super::words::{harmless, lines, written};
-use crate::blocks::{self, Block, Follows, Port, PortRole};
+use crate::blocks::{self, PortRole};
+use crate::eval::{Reading, Seen};
 use crate::source::{Source, Span};
 use crate::syntax::ast::{
     self, ArgumentValue, BinaryOperator, Edge, ElementKind, Expr, ExprKind, Reference,
@@ -24,6 +26,8 @@ pub(super) struct Builder<'a, 's> {
     pub source: &'a Source,
     pub comments: &'a [Span],
     pub uses: &'a Uses<'s>,
+    /// The elements of the rung in the scan that is shown, if one is.
+    pub seen: Option<&'a [Seen]>,
     /// How many elements there are so far.
     pub elements: ElementId,
 }
@@ -66,7 +70,7 @@ impl<'s> Builder<'_, 's> {
             }
             ElementKind::Compare(value) => {
                 let writers = self.uses.writers_of_operands(value);
-                Node::formula(id, self.formula(element.span), writers, false)
+                Node::formula(id, self.formula(element.span), self.values(id), writers, false)
             }
             ElementKind::Coil { action, target } => {
                 let readers = self.uses.readers(target.name.text);
@@ -74,7 +78,7 @@ impl<'s> Builder<'_, 's> {
             }
             ElementKind::Assign { target, .. } => {
                 let readers = self.uses.readers(target.name.text);
-                Node::formula(id, self.formula(element.span), readers, true)
+                Node::formula(id, self.formula(element.span), self.values(id), readers, true)
             }
             ElementKind::Call(call) => self.call(id, call, element.span),
             ElementKind::Net(net) => self.net(net).into_node(id),
@@ -95,6 +99,17 @@ impl<'s> Builder<'_, 's> {
     fn formula(&self, span: Span) -> Vec<String> {
         let text = written(self.source, span, self.comments);
         lines(text.trim_matches(['{', '}', ' ']), FORMULA)
+    }
+
+    /// What is to be seen beside an element.
+    fn readings(&self, id: ElementId) -> &[Reading] {
+        let seen = self.seen.and_then(|seen| seen.get(id as usize));
+        seen.map_or(&[], |seen| &seen.readings)
+    }
+
+    /// The room of each value of a comparison or an assignment.
+    fn values(&self, id: ElementId) -> Vec<i32> {
+        self.readings(id).iter().map(|reading| Form::Named.room(reading)).collect()
     }
 
     /// A name without back-ticks, and what follows it.
@@ -119,7 +134,9 @@ impl<'s> Builder<'_, 's> {
         });
         let given: Vec<(&str, Fed)> = given.collect();
         let main = block.and_then(|block| block.main).unwrap_or("");
-        let (inputs, outputs) = block.map(|block| pins(block, call, given)).unwrap_or_default();
+        let readings = self.readings(id);
+        let pins = block.map(|block| Pins::of(block, call, given, readings));
+        let Pins { inputs, outputs } = pins.unwrap_or_default();
         let drawn = Call {
             name: lines(&harmless(call.name.text), NAME),
             kind: harmless(call.kind.text),
@@ -181,46 +198,6 @@ impl<'s> Builder<'_, 's> {
         };
         Net { connections: net.connections.iter().map(connection).collect() }
     }
-}
-
-/// The pins of a block besides those for the power, in the order of its ports: a box looks the same
-/// wherever it stands. What is fixed or has a start only has a pin where the call says it.
-fn pins(
-    block: &'static Block,
-    call: &ast::Call<'_>,
-    mut given: Vec<(&str, Fed)>,
-) -> (Vec<Input>, Vec<String>) {
-    let mut take = |name: &str| {
-        let found = given.iter().position(|(given, _)| *given == name);
-        found.map(|index| given.swap_remove(index).1)
-    };
-    let parameters = block.ports.iter().filter(|port| port.role.is_parameter());
-    let inputs = parameters.filter_map(|port| {
-        let fed = take(port.name).or((!port.role.is_loaded()).then_some(Fed::Open))?;
-        Some(Input { name: port.name.to_owned(), fed })
-    });
-    let mut inputs: Vec<Input> = inputs.collect();
-    for setting in block.settings {
-        let fed = take(setting.name);
-        inputs.extend(fed.map(|fed| Input { name: setting.name.to_owned(), fed }));
-    }
-    let items = |setting: &str| {
-        let list = call.arguments.iter().find(|argument| argument.name.text == setting);
-        match list.map(|argument| &argument.value) {
-            Some(ArgumentValue::List(items, _)) => items.len(),
-            _ => 0,
-        }
-    };
-    let is_output = |port: &&Port| {
-        let is_shown = matches!(port.role, PortRole::Output | PortRole::Shared { shown: true });
-        let is_there = match port.follows {
-            Follows::ItemOf(setting, item) => item < items(setting),
-            Follows::Nothing | Follows::TypeOf(_) => true,
-        };
-        is_shown && is_there && block.main != Some(port.name)
-    };
-    let outputs = block.ports.iter().filter(is_output).map(|port| port.name.to_owned());
-    (inputs, outputs.collect())
 }
 
 /// A contact that is normally open, or closed.

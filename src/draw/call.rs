@@ -1,6 +1,6 @@
 //! A block as a box with its pins.
 
-use super::cells::{Align, ElementId, Point, Power, Style};
+use super::cells::{Align, ElementId, Form, Point, Power, Style};
 use super::node::{LEAD, Node, Series, Size, widest};
 use super::place::Placer;
 use super::references::References;
@@ -20,7 +20,7 @@ pub(super) struct Call {
     /// The pin that the power leaves by, if it has a name.
     pub main: String,
     /// The other pins at the right.
-    pub outputs: Vec<String>,
+    pub outputs: Vec<Output>,
     /// Who reads its members.
     pub references: References,
 }
@@ -29,7 +29,18 @@ pub(super) struct Call {
 pub(super) struct Input {
     pub name: String,
     pub fed: Fed,
+    /// Its value, in a row below what it is given.
+    pub value: Option<Room>,
 }
+
+/// A pin at the right.
+pub(super) struct Output {
+    pub name: String,
+    pub value: Option<Room>,
+}
+
+/// The room of a value: its place among those of the element, and its columns.
+pub(super) type Room = (usize, i32);
 
 /// What a pin is given.
 pub(super) enum Fed {
@@ -39,21 +50,28 @@ pub(super) enum Fed {
     Value(Vec<String>),
     /// A circuit that starts at a rail of its own.
     Circuit(Series),
-    /// A circuit that is drawn further down, under this mark.
-    Elsewhere(String),
+    /// A circuit that is drawn further down, under this mark, and the power that it lets out.
+    Elsewhere(String, Power),
 }
 
-impl Fed {
+impl Input {
     /// The room that it takes at the left of the box.
     fn size(&self) -> Size {
-        match self {
-            Fed::Open => Size::default(),
+        let value = self.value.map_or(0, |(_, width)| width + 3);
+        match &self.fed {
+            Fed::Open => Size { width: value, above: 0, below: 0 },
             Fed::Value(lines) => {
-                Size { width: widest(lines) + 3, above: 0, below: lines.len() as i32 - 1 }
+                let width = (widest(lines) + 3).max(value);
+                Size { width, above: 0, below: lines.len() as i32 - 1 + self.value_row() }
             }
             Fed::Circuit(series) => Size { width: series.size.width + 1, ..series.size },
-            Fed::Elsewhere(mark) => Size { width: width(mark) + 4, above: 0, below: 0 },
+            Fed::Elsewhere(mark, _) => Size { width: width(mark) + 4, above: 0, below: 0 },
         }
+    }
+
+    /// Rows that its value takes below what it is given.
+    fn value_row(&self) -> i32 {
+        i32::from(self.value.is_some() && matches!(self.fed, Fed::Value(_)))
     }
 }
 
@@ -63,9 +81,10 @@ const POWER: &str = "IN";
 impl Call {
     /// Column of the left side of the box, and of its right side.
     fn sides(&self) -> (i32, i32) {
-        let fed = self.inputs.iter().map(|input| input.fed.size().width).max().unwrap_or(0);
+        let fed = self.inputs.iter().map(|input| input.size().width).max().unwrap_or(0);
         let inputs = self.inputs.iter().map(|input| width(&input.name)).max().unwrap_or(0);
-        let outputs = widest(&self.outputs).max(width(&self.main));
+        let outputs = self.outputs.iter().map(|output| width(&output.name)).max().unwrap_or(0);
+        let outputs = outputs.max(width(&self.main));
         let pins = inputs.max(width(POWER)) + 3 + outputs;
         let inner = pins.max(width(&self.kind) + 4);
         let inner = inner + (inner + 1) % 2;
@@ -82,7 +101,7 @@ impl Call {
     fn input_rows(&self) -> Vec<i32> {
         let mut free = 1;
         let row = |input: &Input| {
-            let size = input.fed.size();
+            let size = input.size();
             let row = free + size.above;
             free = row + size.below + 1;
             row
@@ -93,7 +112,7 @@ impl Call {
     /// The row of the lower side of the box.
     fn bottom(&self) -> i32 {
         let value_lines = |input: &Input| match &input.fed {
-            Fed::Value(lines) => lines.len() as i32 - 1,
+            Fed::Value(_) => input.size().below,
             _ => 0,
         };
         let rows = self.input_rows();
@@ -105,13 +124,19 @@ impl Call {
         let (left, right) = self.sides();
         let outside = self.above_and_below_the_box() / 2 - (right - left) / 2;
         let rows = self.input_rows();
-        let fed = rows.iter().zip(&self.inputs).map(|(row, input)| row + input.fed.size().below);
+        let fed = rows.iter().zip(&self.inputs).map(|(row, input)| row + input.size().below);
         let box_and_references = self.bottom() + i32::from(!self.references.is_empty());
         Size {
-            width: right + LEAD.max(outside + 1),
+            width: right + LEAD.max(outside + 1).max(self.values_width()),
             above: 2 + self.name.len() as i32,
             below: fed.max().unwrap_or(0).max(box_and_references),
         }
+    }
+
+    /// Columns at the right of the box that the values of its pins take.
+    fn values_width(&self) -> i32 {
+        let widths = self.outputs.iter().filter_map(|output| output.value).map(|(_, width)| width);
+        widths.max().map_or(0, |width| width + 3)
     }
 
     /// How much wider its circuits make it.
@@ -141,37 +166,46 @@ impl Call {
         placer.text(element, POWER, cell(left + 1, 0), Align::Start, Style::Pin);
         placer.text(element, &self.main, cell(right - 1, 0), Align::End, Style::Pin);
         for (output, row) in self.outputs.iter().zip(1..) {
-            placer.text(element, output, cell(right - 1, row), Align::End, Style::Pin);
+            placer.text(element, &output.name, cell(right - 1, row), Align::End, Style::Pin);
+            if let Some(value) = output.value {
+                placer.reading(element, value, cell(right + 2, row), Align::Start, Form::Alone);
+            }
         }
         for (input, row) in self.inputs.iter().zip(self.input_rows()) {
             placer.text(element, &input.name, cell(left + 1, row), Align::Start, Style::Pin);
-            feed(&input.fed, element, cell(left, row), placer);
+            feed(input, element, cell(left, row), placer);
         }
         placer.references(element, &self.references, cell(middle, self.bottom() + 1), true);
     }
 }
 
 /// Draws what a pin is given, up to the side of the box.
-fn feed(fed: &Fed, element: ElementId, pin: Point, placer: &mut Placer) {
+fn feed(input: &Input, element: ElementId, pin: Point, placer: &mut Placer) {
     let left_by = |columns| Point { x: pin.x - columns, ..pin };
-    match fed {
+    let mut below = pin.y;
+    match &input.fed {
         Fed::Open => {}
         Fed::Value(lines) => {
-            placer.wire(left_by(1), pin, Power::Rail);
+            placer.wire(left_by(1), pin, Power::Value);
             for (line, row) in lines.iter().zip(0..) {
                 let end = Point { x: pin.x - 2, y: pin.y + row };
                 placer.text(element, line, end, Align::End, Style::Value);
             }
+            below += lines.len() as i32;
         }
         Fed::Circuit(series) => {
             let start = left_by(series.size.width);
             placer.stub(start);
             placer.series(series, start, series.size.width, false);
         }
-        Fed::Elsewhere(mark) => {
-            placer.wire(left_by(2), pin, Power::Rail);
-            placer.arrow(left_by(2), false);
+        Fed::Elsewhere(mark, power) => {
+            placer.wire(left_by(2), pin, *power);
+            placer.arrow(left_by(2), false, *power);
             placer.text(element, mark, left_by(3), Align::End, Style::Mark);
         }
+    }
+    if let Some(value) = input.value {
+        let end = Point { x: pin.x - 2, y: below };
+        placer.reading(element, value, end, Align::End, Form::Equal);
     }
 }

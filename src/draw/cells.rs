@@ -4,6 +4,11 @@
 //! Rows count downwards from the top of a rung, columns from its left rail.
 
 use super::references::References;
+use super::words::{harmless, shortened, width};
+use crate::eval::Reading;
+
+/// Columns of a name beside a value.
+const LONGEST_NAME: i32 = 20;
 
 /// A cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,6 +32,18 @@ pub enum Power {
     OutOf(ElementId),
     /// It is the power of the left rail.
     Rail,
+    /// It is that of a node of a general network: of the left end of one of its connections, or
+    /// of the right end.
+    Node {
+        /// The network.
+        net: ElementId,
+        /// The connection, from 0 in text order.
+        connection: usize,
+        /// 0 for the left end, 1 for the right end.
+        end: usize,
+    },
+    /// It is no power: the wire brings a value.
+    Value,
 }
 
 /// One thing that is drawn.
@@ -91,9 +108,58 @@ pub enum Shape {
         at: Point,
         /// A connection that conducts to the left too.
         both_ways: bool,
+        /// What flows in it.
+        power: Power,
     },
     /// A node of a general network.
-    Dot(Point),
+    Dot {
+        /// Its cell.
+        at: Point,
+        /// The node.
+        power: Power,
+    },
+    /// Room for a value of the scan that is shown.
+    Reading {
+        /// The first cell.
+        at: Point,
+        /// How many cells it takes at most.
+        width: i32,
+        /// Its place in [`Seen::readings`](crate::eval::Seen::readings) of the element.
+        reading: usize,
+        /// How it is written.
+        form: Form,
+        /// Which end stays where it is, if it takes less.
+        align: Align,
+    },
+}
+
+/// How a value is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// `name = 7`
+    Named,
+    /// `= 7`
+    Equal,
+    /// `7`
+    Alone,
+}
+
+impl Form {
+    /// A value in this form.
+    pub fn written(self, reading: &Reading) -> String {
+        let Reading { name, text, .. } = reading;
+        match self {
+            Form::Named => format!("{} = {text}", shortened(&harmless(name), LONGEST_NAME)),
+            Form::Equal => format!("= {text}"),
+            Form::Alone => text.clone(),
+        }
+    }
+
+    /// How many cells the widest value takes.
+    pub(super) fn room(self, reading: &Reading) -> i32 {
+        let before = width(&self.written(reading)) - width(&reading.text);
+        before + reading.room as i32
+    }
 }
 
 /// What stands between two bars or two brackets.

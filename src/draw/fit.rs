@@ -2,7 +2,7 @@
 //! no room for what is in it is drawn further down, under a mark.
 
 use super::call::Fed;
-use super::node::{END, JOIN, Kind, LEAD, Node, START, Series};
+use super::node::{END, Ends, JOIN, Kind, LEAD, Node, START, Series};
 
 /// The narrowest line on which every single contact, box and block fits, between marks at both
 /// ends.
@@ -12,6 +12,7 @@ const LEAST_LINE: i32 = 52 + START + END;
 pub(super) struct Detail {
     pub mark: String,
     pub from: From,
+    pub ends: Ends,
     pub series: Series,
 }
 
@@ -72,11 +73,13 @@ impl Fitter {
             Kind::List(_) if width - 2 * JOIN >= LEAST_LINE => self.opened(node, width),
             Kind::List(_) | Kind::Net(_) => {
                 let element = node.element;
-                let mark = self.put_off(From::Mark, Series::new(vec![node]));
-                Node::elsewhere(element, mark)
+                let (mark, ends) = self.put_off(From::Mark, Series::new(vec![node]));
+                Node::elsewhere(element, ends, mark)
             }
             Kind::Call(_) => self.opened(node, width),
-            Kind::Wire | Kind::Symbol { .. } | Kind::Formula { .. } | Kind::Elsewhere(_) => node,
+            Kind::Wire | Kind::Symbol { .. } | Kind::Formula { .. } | Kind::Elsewhere { .. } => {
+                node
+            }
         }
     }
 
@@ -99,8 +102,8 @@ impl Fitter {
                     connection.network = if inner >= LEAST_LINE {
                         self.series(network, inner)
                     } else {
-                        let mark = self.put_off(From::Mark, network);
-                        Series::new(vec![Node::elsewhere(element, mark)])
+                        let (mark, ends) = self.put_off(From::Mark, network);
+                        Series::new(vec![Node::elsewhere(element, ends, mark)])
                     };
                 }
                 net.into_node(element)
@@ -111,7 +114,8 @@ impl Fitter {
                     let Fed::Circuit(circuit) = &mut input.fed else { continue };
                     if others + circuit.size.width > width - 2 * LEAD {
                         let circuit = circuit.take();
-                        input.fed = Fed::Elsewhere(self.put_off(From::Rail, circuit));
+                        let (mark, ends) = self.put_off(From::Rail, circuit);
+                        input.fed = Fed::Elsewhere(mark, ends.exit);
                     }
                 }
                 call.into_node(element)
@@ -120,11 +124,13 @@ impl Fitter {
         }
     }
 
-    fn put_off(&mut self, from: From, series: Series) -> String {
+    /// Draws a series further down; returns its mark and the powers at its ends.
+    fn put_off(&mut self, from: From, series: Series) -> (String, Ends) {
         let mark = letters(self.marks);
         self.marks += 1;
-        self.details.push_back(Detail { mark: mark.clone(), from, series });
-        mark
+        let ends = series.ends();
+        self.details.push_back(Detail { mark: mark.clone(), from, ends, series });
+        (mark, ends)
     }
 }
 

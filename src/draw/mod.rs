@@ -19,21 +19,26 @@ mod call;
 mod captions;
 mod cells;
 mod fit;
+mod grid;
 mod net;
 mod node;
+mod pins;
 mod place;
 mod references;
 mod rung;
 mod svg;
 mod text;
+mod timing;
 mod words;
 
-pub use cells::{Align, ElementId, Part, Point, Power, Shape, Style, Symbol, Text};
+pub use cells::{Align, ElementId, Form, Part, Point, Power, Shape, Style, Symbol, Text};
 pub use references::{References, Run};
 pub use rung::Rung;
 pub use svg::bears_header;
-pub use text::Glyphs;
+pub use text::{Glyphs, Line, Look, Piece};
+pub use timing::Timing;
 
+use crate::eval::Flow;
 use crate::source::Source;
 use crate::syntax::{self, ast::Item};
 use build::Builder;
@@ -67,6 +72,8 @@ pub struct Drawing {
     pub title: Option<String>,
     /// The comment above its header, line by line.
     pub comment: Vec<String>,
+    /// The moment that is shown, if the power of one is.
+    pub moment: Option<String>,
     /// The source, without folders.
     pub source: String,
     /// Columns, both rails among them.
@@ -79,6 +86,28 @@ impl Drawing {
     /// Draws a source in which `analyze` finds no error. Of any other text it draws what can be
     /// read.
     pub fn new(source: &Source, options: &Options) -> Self {
+        Drawing::laid_out(source, options, None)
+    }
+
+    /// The same with the power of a scan in it, and room for values beside comparisons,
+    /// assignments and the pins of blocks. The room is that of the widest values: a drawing can
+    /// [show](Drawing::show) one scan after the other and keeps its layout.
+    ///
+    /// `flow` is of the program that `analyze` makes of this source.
+    pub fn with_flow(source: &Source, options: &Options, flow: &Flow) -> Self {
+        let mut drawing = Drawing::laid_out(source, options, Some(flow));
+        drawing.show(flow);
+        drawing
+    }
+
+    /// Shows another scan, of the same program.
+    pub fn show(&mut self, flow: &Flow) {
+        for rung in &mut self.rungs {
+            rung.seen = Some(flow.rungs[rung.number - 1].clone());
+        }
+    }
+
+    fn laid_out(source: &Source, options: &Options, flow: Option<&Flow>) -> Self {
         let (file, _) = syntax::parse(source);
         let uses = Uses::of(&file);
         let captions = Captions { source, comments: &file.comments };
@@ -87,6 +116,7 @@ impl Drawing {
             name: String::new(),
             title: None,
             comment: Vec::new(),
+            moment: None,
             source: words::harmless(source.file_name()),
             width,
             rungs: Vec::new(),
@@ -100,7 +130,8 @@ impl Drawing {
                 }
                 Item::Rung(rung) => {
                     let (comments, uses) = (&file.comments[..], &uses);
-                    let mut builder = Builder { source, comments, uses, elements: 0 };
+                    let seen = flow.map(|flow| &flow.rungs[drawing.rungs.len()][..]);
+                    let mut builder = Builder { source, comments, uses, seen, elements: 0 };
                     let series = builder.series(&rung.network);
                     let span = rung.network.span;
                     drawing.rungs.push(Rung {

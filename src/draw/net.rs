@@ -88,13 +88,16 @@ impl Net {
         placer.frame(Some(element), cell(left, -1), cell(right, size.below));
         placer.text(element, ENDS[0], cell(left + 1, 0), Align::Start, Style::Pin);
         placer.text(element, ENDS[1], cell(right - 1, 0), Align::End, Style::Pin);
-        for (connection, row) in self.connections.iter().zip(self.rows()) {
+        for ((number, connection), row) in self.connections.iter().enumerate().zip(self.rows()) {
             let exit = row + connection.network.exit;
+            let power = connection.network.ends().exit;
             placer.series(&connection.network, cell(from, row), to - 2 - from, false);
-            placer.wire(cell(to - 2, exit), cell(to, exit), Power::OutOf(element));
-            placer.arrow(cell(to - 1, exit), connection.both_ways);
-            placer.part(Some(element), Shape::Dot(cell(from, row)));
-            placer.part(Some(element), Shape::Dot(cell(to, exit)));
+            placer.wire(cell(to - 2, exit), cell(to, exit), power);
+            placer.arrow(cell(to - 1, exit), connection.both_ways, power);
+            for (end, at) in [cell(from, row), cell(to, exit)].into_iter().enumerate() {
+                let power = Power::Node { net: element, connection: number, end };
+                placer.part(Some(element), Shape::Dot { at, power });
+            }
             for (line, below) in connection.from.iter().zip(0..) {
                 placer.text(element, line, cell(from - 2, row + below), Align::End, Style::Name);
             }

@@ -3,7 +3,7 @@
 //! A piece is entered by the wire at its left end and left at its right end, `width` columns
 //! further on. Rows count from the row of the entering wire.
 
-use super::cells::{ElementId, Symbol};
+use super::cells::{ElementId, Power, Symbol};
 use super::references::References;
 use super::words::width;
 
@@ -43,16 +43,23 @@ pub(super) enum Kind {
     Wire,
     /// A contact, a coil, or what acts on the power, with its name above it.
     Symbol { symbol: Symbol, label: Vec<String>, references: References },
-    /// A comparison or an assignment.
-    Formula { lines: Vec<String>, references: References, writes: bool },
+    /// A comparison or an assignment, with the room of each of its values.
+    Formula { lines: Vec<String>, values: Vec<i32>, references: References, writes: bool },
     /// Branches.
     List(Vec<Series>),
     /// A block.
     Call(Box<super::call::Call>),
     /// A general network.
     Net(Box<super::net::Net>),
-    /// A list or network that is drawn further down, under this mark.
-    Elsewhere(String),
+    /// What is drawn further down, under this mark.
+    Elsewhere { mark: String, ends: Ends },
+}
+
+/// The powers at both ends of what is drawn further down.
+#[derive(Clone, Copy)]
+pub(super) struct Ends {
+    pub entry: Power,
+    pub exit: Power,
 }
 
 /// Elements from left to right, on one line or several.
@@ -88,16 +95,18 @@ impl Node {
     pub fn formula(
         element: ElementId,
         lines: Vec<String>,
+        values: Vec<i32>,
         references: References,
         writes: bool,
     ) -> Self {
-        let inner = widest(&lines).max(width(&references.to_string())) + 2;
+        let inner = formula_width(&lines, &values).max(width(&references.to_string())) + 2;
+        let rows = lines.len() + values.len();
         let size = Size {
             width: inner + 1 + 2 * LEAD,
             above: 1,
-            below: lines.len() as i32 + i32::from(!references.is_empty()),
+            below: rows as i32 + i32::from(!references.is_empty()),
         };
-        Node { element, kind: Kind::Formula { lines, references, writes }, size }
+        Node { element, kind: Kind::Formula { lines, values, references, writes }, size }
     }
 
     pub fn list(element: ElementId, branches: Vec<Series>) -> Self {
@@ -111,9 +120,25 @@ impl Node {
         Node { element, kind: Kind::List(branches), size }
     }
 
-    pub fn elsewhere(element: ElementId, mark: String) -> Self {
+    pub fn elsewhere(element: ElementId, ends: Ends, mark: String) -> Self {
         let size = Size { width: width(&mark) + 3 + 2 * LEAD, above: 1, below: 1 };
-        Node { element, kind: Kind::Elsewhere(mark), size }
+        Node { element, kind: Kind::Elsewhere { mark, ends }, size }
+    }
+
+    /// The power that it lets out.
+    pub fn exit(&self) -> Power {
+        match &self.kind {
+            Kind::Elsewhere { ends, .. } => ends.exit,
+            _ => Power::OutOf(self.element),
+        }
+    }
+
+    /// The power that comes to it.
+    pub fn entry(&self) -> Power {
+        match &self.kind {
+            Kind::Elsewhere { ends, .. } => ends.entry,
+            _ => Power::Into(self.element),
+        }
     }
 
     /// True for what is drawn at the right rail if nothing follows.
@@ -157,6 +182,16 @@ impl Series {
         std::mem::replace(self, Series::new(Vec::new()))
     }
 
+    /// The powers that come to it and leave it.
+    pub fn ends(&self) -> Ends {
+        let (first, last) =
+            (self.lines.iter().flatten().next(), self.lines.iter().flatten().last());
+        Ends {
+            entry: first.map_or(Power::Rail, Node::entry),
+            exit: last.map_or(Power::Rail, Node::exit),
+        }
+    }
+
     /// The row of each line and the line.
     pub fn rows(&self) -> Vec<(i32, &[Node])> {
         let mut rows: Vec<(i32, &[Node])> = Vec::with_capacity(self.lines.len());
@@ -187,6 +222,11 @@ pub(super) fn branch_rows(branches: &[Series]) -> Vec<i32> {
         free = row + branch.size.below + 1;
     }
     rows
+}
+
+/// The width of the widest line of a box with an expression.
+pub(super) fn formula_width(lines: &[String], values: &[i32]) -> i32 {
+    widest(lines).max(values.iter().copied().max().unwrap_or(0))
 }
 
 /// The width of the widest of some lines.

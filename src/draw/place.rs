@@ -1,7 +1,7 @@
 //! Gives every piece its place in the grid.
 
-use super::cells::{Align, ElementId, Part, Point, Power, Shape, Style, Symbol, Text};
-use super::node::{END, JOIN, Kind, LEAD, Node, START, Series, branch_rows, widest};
+use super::cells::{Align, ElementId, Form, Part, Point, Power, Shape, Style, Symbol, Text};
+use super::node::{END, JOIN, Kind, LEAD, Node, START, Series, branch_rows, formula_width};
 use super::references::References;
 use super::words::width;
 
@@ -32,8 +32,21 @@ impl Placer {
         self.part(element, Shape::Frame { from, to });
     }
 
-    pub fn arrow(&mut self, at: Point, both_ways: bool) {
-        self.part(None, Shape::Arrow { at, both_ways });
+    pub fn arrow(&mut self, at: Point, both_ways: bool, power: Power) {
+        self.part(None, Shape::Arrow { at, both_ways, power });
+    }
+
+    /// Room for a value, which starts or ends in a cell.
+    pub fn reading(
+        &mut self,
+        element: ElementId,
+        (reading, width): (usize, i32),
+        at: Point,
+        align: Align,
+        form: Form,
+    ) {
+        let at = Point { x: at.x - left_of(width, align), ..at };
+        self.part(Some(element), Shape::Reading { at, width, reading, form, align });
     }
 
     /// A circuit starts here at a rail of its own.
@@ -95,16 +108,16 @@ impl Placer {
                 start += START;
                 let arrow = Point { x: start - 1, y };
                 self.mark(&mark, Point { x: start - 2, y }, Align::End);
-                self.arrow(arrow, false);
+                self.arrow(arrow, false, power);
                 self.wire(arrow, Point { x: start, y }, power);
             }
             if !is_last {
                 end -= END;
                 self.turns += 1;
-                let power = line.last().map_or(Power::Rail, |node| Power::OutOf(node.element));
+                let power = line.last().map_or(Power::Rail, Node::exit);
                 let arrow = Point { x: end + 1, y };
                 self.wire(Point { x: end, y }, arrow, power);
-                self.arrow(arrow, false);
+                self.arrow(arrow, false, power);
                 // Three digits have room; in a rung that long no two equal marks are near.
                 let mark = ((self.turns - 1) % 999 + 1).to_string();
                 self.mark(&mark, Point { x: end + 2, y }, Align::Start);
@@ -121,7 +134,7 @@ impl Placer {
         let stretches = line.last().is_some_and(Node::is_list_of_outputs);
         let outputs = line.iter().rev().take_while(|node| node.is_output()).count();
         let mut x = at.x;
-        let mut power = line.first().map_or(Power::Rail, |node| Power::Into(node.element));
+        let mut power = line.first().map_or(Power::Rail, Node::entry);
         for (index, node) in line.iter().enumerate() {
             let cell = |x| Point { x, ..at };
             if index + outputs == line.len() && !stretches {
@@ -132,7 +145,7 @@ impl Placer {
             let stretch = if is_last && stretches { extra } else { 0 };
             let next = x + node.size.width + stretch;
             self.node(node, cell(x), next, to_rail && is_last);
-            power = Power::OutOf(node.element);
+            power = node.exit();
             x = next;
         }
         self.wire(Point { x, ..at }, Point { x: end, ..at }, power);
@@ -150,19 +163,24 @@ impl Placer {
                 self.label(element, label, Point { x: middle, y: at.y - 1 }, Style::Name);
                 self.references(element, references, Point { x: middle, y: at.y + 1 }, false);
             }
-            Kind::Formula { lines, references, .. } => {
-                let bottom = at.y + lines.len() as i32;
+            Kind::Formula { lines, values, references, .. } => {
+                let bottom = at.y + (lines.len() + values.len()) as i32;
                 let middle = self.boxed(Some(element), (at, leaves), bottom);
-                self.leads(element, at, leaves);
-                let x = middle - (widest(lines) - 1) / 2;
+                self.leads(node, at, leaves);
+                let x = middle - (formula_width(lines, values) - 1) / 2;
                 for (line, y) in lines.iter().zip(at.y..) {
                     self.text(element, line, Point { x, y }, Align::Start, Style::Value);
                 }
+                for (value, y) in values.iter().enumerate().zip(at.y + lines.len() as i32..) {
+                    let (reading, &width) = value;
+                    let at = Point { x, y };
+                    self.reading(element, (reading, width), at, Align::Start, Form::Named);
+                }
                 self.references(element, references, Point { x: middle, y: bottom + 1 }, true);
             }
-            Kind::Elsewhere(mark) => {
+            Kind::Elsewhere { mark, .. } => {
                 let middle = self.boxed(None, (at, leaves), at.y + 1);
-                self.leads(element, at, leaves);
+                self.leads(node, at, leaves);
                 self.mark(mark, Point { x: middle, ..at }, Align::Middle);
             }
             Kind::List(branches) => self.list(element, branches, at, end, to_rail),
@@ -190,9 +208,9 @@ impl Placer {
     }
 
     /// The wires that lead to a frame and away from it.
-    fn leads(&mut self, element: ElementId, at: Point, leaves: Point) {
-        self.wire(at, Point { x: at.x + LEAD, ..at }, Power::Into(element));
-        self.wire(Point { x: leaves.x - LEAD, ..at }, leaves, Power::OutOf(element));
+    fn leads(&mut self, node: &Node, at: Point, leaves: Point) {
+        self.wire(at, Point { x: at.x + LEAD, ..at }, node.entry());
+        self.wire(Point { x: leaves.x - LEAD, ..at }, leaves, node.exit());
     }
 
     fn list(

@@ -2,13 +2,15 @@
 
 use std::collections::HashMap;
 
-use super::cells::{Align, ElementId, Part, Point, Power, Shape};
+use super::cells::{Align, ElementId, Form, Part, Point, Power, Shape, Style, Symbol};
 use super::fit::{Fitter, From};
 use super::node::{END, START, Series};
 use super::place::Placer;
+use super::words::width;
+use crate::eval::Seen;
 
 /// One rung.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Rung {
     /// Its number, from 1.
     pub number: usize,
@@ -26,12 +28,88 @@ pub struct Rung {
     pub height: i32,
     /// What is drawn.
     pub parts: Vec<Part>,
+    /// What its elements did in the scan that is shown, if one is.
+    pub seen: Option<Vec<Seen>>,
 }
 
 impl Rung {
-    /// A series between rails that are `width` columns apart, itself included.
-    pub(super) fn laid_out(series: Series, width: i32) -> Self {
-        let right = width - 1;
+    /// True if there is power in the scan that is shown; false if none is.
+    pub fn has_power(&self, power: Power) -> bool {
+        let Some(seen) = &self.seen else { return false };
+        match power {
+            Power::Into(element) => seen[element as usize].power,
+            Power::OutOf(element) => seen[element as usize].out,
+            Power::Node { net, connection, end } => seen[net as usize].ends[connection][end],
+            Power::Rail => true,
+            Power::Value => false,
+        }
+    }
+
+    /// What an element did in the scan that is shown.
+    pub fn seen(&self, element: Option<ElementId>) -> Option<&Seen> {
+        Some(&self.seen.as_ref()?[element? as usize])
+    }
+
+    /// The first cell and the text of a value in the scan that is shown.
+    pub fn reading(&self, element: Option<ElementId>, shape: &Shape) -> Option<(Point, String)> {
+        let Shape::Reading { at, width: room, reading, form, align } = shape else { return None };
+        let text = form.written(&self.seen(element)?.readings[*reading]);
+        let spare = match align {
+            Align::Start => 0,
+            Align::Middle => (room - width(&text)) / 2,
+            Align::End => room - width(&text),
+        };
+        Some((Point { x: at.x + spare, ..*at }, text))
+    }
+
+    /// What the elements did in the scan that is shown, for somebody who hears it.
+    pub(super) fn told(&self) -> String {
+        let Some(seen) = &self.seen else { return String::new() };
+        let mut told = Vec::new();
+        for part in &self.parts {
+            let (Some(element), Some(state)) = (part.element, self.seen(part.element)) else {
+                continue;
+            };
+            let say = |on: &'static str, off: &'static str| if state.is_on { on } else { off };
+            let what = match &part.shape {
+                Shape::Symbol { symbol: Symbol::Contact(_), .. } => say("conducts", "is open"),
+                Shape::Symbol { symbol: Symbol::Coil(_), .. } => say("is on", "is off"),
+                Shape::Frame { .. } => {
+                    let name = self.label(element);
+                    let of = if name.is_empty() { name } else { format!("{name}.") };
+                    let readings = state.readings.iter();
+                    told.extend(readings.map(|reading| of.clone() + &Form::Named.written(reading)));
+                    continue;
+                }
+                _ => continue,
+            };
+            told.push(format!("{} {what}", self.label(element)));
+        }
+        let power = seen.last().is_some_and(|last| last.out);
+        let power = if power { "power to the right end" } else { "no power at the right end" };
+        format!(
+            ". In this scan: {}{power}",
+            told.iter().map(|text| format!("{text}, ")).collect::<String>()
+        )
+    }
+
+    /// The name over a contact, a coil or a block.
+    fn label(&self, element: ElementId) -> String {
+        let names = self.parts.iter().filter_map(|part| match &part.shape {
+            Shape::Text(text) if part.element == Some(element) => {
+                matches!(text.style, Style::Name | Style::Instance).then_some(text.text.as_str())
+            }
+            _ => None,
+        });
+        let mut names: Vec<&str> = names.collect();
+        // Their last line is placed first.
+        names.reverse();
+        names.concat()
+    }
+
+    /// A series between rails that are `columns` columns apart, itself included.
+    pub(super) fn laid_out(series: Series, columns: i32) -> Self {
+        let right = columns - 1;
         let mut fitter = Fitter::default();
         let mut placer = Placer::default();
         let series = fitter.series(series, right);
@@ -54,15 +132,15 @@ impl Rung {
                 From::Mark => {
                     let arrow = Point { x: START - 1, ..at };
                     placer.mark(&detail.mark, Point { x: START - 2, ..at }, Align::End);
-                    placer.arrow(arrow, false);
-                    placer.wire(arrow, at, Power::Rail);
+                    placer.arrow(arrow, false, detail.ends.entry);
+                    placer.wire(arrow, at, detail.ends.entry);
                 }
             }
             placer.series(&series, at, end - at.x, false);
             let exit = at.y + series.exit;
             let arrow = Point { x: end + 1, y: exit };
-            placer.wire(Point { x: end, y: exit }, arrow, Power::Rail);
-            placer.arrow(arrow, false);
+            placer.wire(Point { x: end, y: exit }, arrow, detail.ends.exit);
+            placer.arrow(arrow, false, detail.ends.exit);
             placer.mark(&detail.mark, Point { x: end + 2, y: exit }, Align::Start);
         }
         for at in std::mem::take(&mut placer.stubs) {
@@ -90,7 +168,8 @@ fn reach_the_rail(placer: &mut Placer) {
             Shape::Symbol { at, .. }
             | Shape::References { at, .. }
             | Shape::Arrow { at, .. }
-            | Shape::Dot(at) => seen(at.y, at.x),
+            | Shape::Reading { at, .. }
+            | Shape::Dot { at, .. } => seen(at.y, at.x),
             Shape::Text(text) => seen(text.at.y, text.at.x),
             Shape::Rail { .. } => {}
         }

@@ -36,6 +36,14 @@ pub(super) fn written(source: &Source, span: Span, comments: &[Span]) -> String 
     harmless(&words.join(" "))
 }
 
+/// A text of at most `limit` cells: its start, and two dots for the rest.
+pub(super) fn shortened(text: &str, limit: i32) -> String {
+    match width(text) <= limit {
+        true => text.to_owned(),
+        false => format!("{}..", &text[..cut(text, limit - 2)]),
+    }
+}
+
 /// Cuts a text into lines of at most `limit` cells, at blanks where there are some. There is one
 /// line at least.
 pub(super) fn lines(text: &str, limit: i32) -> Vec<String> {
@@ -78,6 +86,13 @@ mod tests {
         assert_eq!(lines("", 3), [""]);
         assert_eq!(lines("你好吗", 4), ["你好", "吗"]);
         assert_eq!(lines("你", 1), ["你"]);
+    }
+
+    #[test]
+    fn a_long_text_is_cut() {
+        assert_eq!(shortened("abcdef", 6), "abcdef");
+        assert_eq!(shortened("abcdefg", 6), "abcd..");
+        assert_eq!(shortened("你好世界", 6), "你好..");
     }
 
     #[test]

@@ -59,6 +59,11 @@ impl<'p> Evaluator<'p> {
         }
     }
 
+    /// What it runs.
+    pub(super) fn program(&self) -> &Program {
+        self.program
+    }
+
     /// Goes on with what every variable holds.
     pub(super) fn resume(&mut self, values: Vec<i64>) {
         debug_assert_eq!(values.len(), self.program.variables.len());

@@ -31,12 +31,14 @@ pub(super) struct Recording {
     visits: HashMap<Place, Visit>,
     /// Every value that was written, in order.
     pub(super) writes: Vec<Write>,
+    /// For each variable that was written the places of its writes in that order.
+    of_variable: HashMap<VariableId, Vec<usize>>,
     /// The element that is being executed.
     current: Option<Place>,
 }
 
 /// The execution of an element.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Visit {
     /// The power that arrived.
     pub(super) power: bool,
@@ -51,7 +53,6 @@ pub(super) struct Visit {
 /// A value that was written.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Write {
-    pub(super) variable: VariableId,
     pub(super) value: i64,
     /// Who wrote it; nobody where the scan itself did.
     pub(super) by: Option<Place>,
@@ -94,19 +95,22 @@ impl Recorder {
 
     pub(super) fn write(&mut self, variable: VariableId, value: i64) {
         if let Recorder::Full(recording) = self {
-            recording.writes.push(Write { variable, value, by: recording.current });
+            recording.of_variable.entry(variable).or_default().push(recording.writes.len());
+            recording.writes.push(Write { value, by: recording.current });
         }
     }
 }
 
 impl Recording {
-    /// What happened at an element of the program that ran.
+    /// What happened at an element of the program that ran; nothing where no scan did.
     pub(super) fn visit(&self, element: &Element) -> Visit {
-        self.visits[&Place::of(element)]
+        self.visits.get(&Place::of(element)).copied().unwrap_or_default()
     }
 
     /// The last write of a variable among the first `until`.
     pub(super) fn last_write(&self, variable: VariableId, until: usize) -> Option<usize> {
-        self.writes[..until].iter().rposition(|write| write.variable == variable)
+        let writes = self.of_variable.get(&variable)?;
+        let before = writes.partition_point(|&write| write < until);
+        before.checked_sub(1).map(|last| writes[last])
     }
 }

@@ -5,6 +5,9 @@ use std::io::Write;
 use std::path::PathBuf;
 use std::process::{Command, Output, Stdio};
 
+/// The command line; a campaign of random programs does without.
+const HOTRAIL: Option<&str> = option_env!("CARGO_BIN_EXE_hotrail");
+
 /// A folder that is removed in the end.
 pub struct Folder(tempfile::TempDir);
 
@@ -31,7 +34,7 @@ impl Folder {
 
     /// Runs `hotrail` in it with a text as standard input.
     pub fn run_with(&self, arguments: &[&str], input: &str) -> Run {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_hotrail"));
+        let mut command = Command::new(HOTRAIL.expect("a test has it"));
         command.args(arguments).current_dir(self.0.path());
         let pipes = command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
         let mut child = pipes.spawn().unwrap();
@@ -41,7 +44,7 @@ impl Folder {
 
     /// Runs `hotrail` in it.
     pub fn run(&self, arguments: &[&str]) -> Run {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_hotrail"));
+        let mut command = Command::new(HOTRAIL.expect("a test has it"));
         Run::new(command.args(arguments).current_dir(self.0.path()).output().unwrap())
     }
 }

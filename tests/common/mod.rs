@@ -2,16 +2,36 @@
 #![allow(dead_code, reason = "each test file uses a part of it")]
 
 pub mod bench;
+pub mod bulk;
+pub mod checks;
 pub mod designs;
+pub mod emulated;
 pub mod folder;
 pub mod generate;
 pub mod interpreter;
+pub mod lockstep;
 pub mod proof;
+pub mod recorded;
 pub mod relay;
 pub mod shrink;
+pub mod targets;
+pub mod variants;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+
+use hotrail::diagnostic;
+use hotrail::model::Program;
+use hotrail::source::Source;
+
+/// The checked program of a text, or what a user reads.
+pub fn analyze(name: &str, text: &str) -> Result<Program, String> {
+    let source = Source::new(name, text);
+    let (program, diagnostics) = hotrail::analyze(&source);
+    program.ok_or_else(|| {
+        diagnostics.iter().map(|found| diagnostic::render(found, &source, false)).collect()
+    })
+}
 
 /// True if a tool can be started. Where it is missing the test says so and passes, unless
 /// `HOTRAIL_REQUIRE_TOOLS=1`.

@@ -17,7 +17,10 @@ struct Generator {
 
 const LATCHES: [&str; 4] = ["SR", "RS", "R_TRIG", "F_TRIG"];
 /// Those of tenths last, for they need a short tick.
-const FUNCTIONS: [&str; 10] = ["TON", "TOF", "TP", "TS", "T1_0", "UC", "DC", "DRUM", "TT", "T0_1"];
+const FUNCTIONS: [&str; 12] =
+    ["TON", "TOF", "TP", "TS", "T1_0", "UC", "DC", "DRUM", "SHL", "SHR", "TT", "T0_1"];
+/// Of these a reset coil reaches all.
+const COUNTS: [&str; 8] = ["TON", "T1_0", "T0_1", "UC", "DC", "DRUM", "SHL", "SHR"];
 
 /// The text of the random program of a seed.
 pub fn program(seed: u64) -> String {
@@ -83,18 +86,23 @@ impl Generator {
         if self.is_plain {
             return;
         }
-        writeln!(text, "input level : INT\nvar fixed : INT := 2\nvar word : WORD := 16#0F")
-            .unwrap();
+        writeln!(
+            text,
+            "input level : INT\nvar fixed : INT := 2\nvar word : WORD := 16#0F
+var words : WORD[3] := [16#8001, 16#FFFF, 16#7FFE]"
+        )
+        .unwrap();
         for bit in [0, 3, 15] {
             self.bits.push(format!("word.{bit}"));
             self.coils.push(format!("word.{bit}"));
+            self.bits.push(format!("words[1].{bit}"));
         }
         for index in 0..self.random.usize(..4) {
             let name = format!("b{index}");
             self.bits.push(format!("{name}.Q"));
-            let functions = if self.is_tick_short { &FUNCTIONS[..] } else { &FUNCTIONS[..8] };
+            let functions = if self.is_tick_short { &FUNCTIONS[..] } else { &FUNCTIONS[..10] };
             let kind = if self.chance(3) { self.pick(&LATCHES) } else { self.pick(functions) };
-            if LATCHES.contains(&kind) {
+            if LATCHES.contains(&kind) || COUNTS.contains(&kind) {
                 self.latches.push(name.clone());
             }
             match kind {
@@ -214,10 +222,18 @@ impl Generator {
             "SR" => format!("R := [ {} ]", self.looks(1)),
             "RS" => format!("R1 := [ {} | not ]", self.looks(1)),
             "TON" | "TOF" | "TP" => {
-                let shortest = u32::from(kind == "TON");
-                format!("PT := {}s", self.random.u32(shortest..4))
+                format!("PT := {}s", self.random.u32(..4))
             }
             "TS" | "TT" | "T1_0" | "T0_1" | "UC" | "DC" | "DRUM" => self.function(kind),
+            "SHL" | "SHR" => {
+                let mut arguments = format!("REG := {}", self.pick(&["word", "words"]));
+                for port in ["EN", "DATA"] {
+                    if !self.chance(3) {
+                        write!(arguments, ", {port} := {}", self.looks(2)).unwrap();
+                    }
+                }
+                arguments
+            }
             _ => String::new(),
         };
         Some(format!("{name}:{kind}({arguments})"))

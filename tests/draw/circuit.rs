@@ -81,7 +81,10 @@ impl Circuit {
                     }
                 }
                 // The connections of a network are looked at one by one, each fed with power.
-                Shape::Dot(at) => circuit.sources.push(*at),
+                // In a scan only some of their nodes have power.
+                Shape::Dot { at, power } if rung.seen.is_none() || rung.has_power(*power) => {
+                    circuit.sources.push(*at);
+                }
                 _ => {}
             }
         }
@@ -147,6 +150,27 @@ impl Circuit {
         &self,
         effect: &dyn Fn(ElementId) -> Effect,
     ) -> HashMap<ElementId, (bool, usize)> {
+        self.walk(effect, |walk| {
+            let power = |(&element, drawn): (&ElementId, &Drawn)| {
+                let pins = drawn.side.map_or(0, |(x, first, last)| {
+                    (first..last).filter(|&y| walk.has_power(Point { x, y })).count()
+                });
+                (element, (walk.has_power(drawn.left), pins))
+            };
+            self.drawn.iter().map(power).collect()
+        })
+    }
+
+    /// Whether power comes to each of these places.
+    pub fn powers_at(
+        &self,
+        effect: &dyn Fn(ElementId) -> Effect,
+        places: impl Iterator<Item = Point>,
+    ) -> Vec<bool> {
+        self.walk(effect, |walk| places.map(|at| walk.has_power(at)).collect())
+    }
+
+    fn walk<T>(&self, effect: &dyn Fn(ElementId) -> Effect, ask: impl FnOnce(&mut Walk) -> T) -> T {
         let mut drivers: HashMap<(i32, i32), Vec<Driver>> = HashMap::new();
         let mut drive = |at: Point, driver| {
             drivers.entry(self.node(at)).or_default().push(driver);
@@ -157,14 +181,7 @@ impl Circuit {
             drive(drawn.right, Driver::Element(element));
         }
         let mut known = HashMap::new();
-        let mut walk = Walk { circuit: self, drivers: &drivers, effect, known: &mut known };
-        let power = |(&element, drawn): (&ElementId, &Drawn)| {
-            let pins = drawn.side.map_or(0, |(x, first, last)| {
-                (first..last).filter(|&y| walk.has_power(Point { x, y })).count()
-            });
-            (element, (walk.has_power(drawn.left), pins))
-        };
-        self.drawn.iter().map(power).collect()
+        ask(&mut Walk { circuit: self, drivers: &drivers, effect, known: &mut known })
     }
 }
 

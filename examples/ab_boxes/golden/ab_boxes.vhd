@@ -221,9 +221,9 @@ begin
 
   -- rung 8, ab_boxes.ladder:35
   boxes_ACC_next <= to_unsigned(0, 16) when emptied = '1' else boxes_AB_CTD_ACC;
-  boxes_was_up_next <= not emptied and boxes_was_up;
-  boxes_was_down_next <= not emptied and boxes_AB_CTD_was_down;
-  conveyor_3_next <= unloading_rung7 and not emptied;
+  boxes_was_up_next <= '0' when emptied = '1' else boxes_was_up;
+  boxes_was_down_next <= '0' when emptied = '1' else boxes_AB_CTD_was_down;
+  conveyor_3_next <= '0' when emptied = '1' else unloading_rung7;
 
   -- rung 9 "conveyor 2", ab_boxes.ladder:37
   conveyor_2_next <= pe_1_timer_DN or conveyor_3_next;

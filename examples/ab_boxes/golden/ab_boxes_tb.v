@@ -184,12 +184,12 @@ module ab_boxes_test (
 
   // rung 8, ab_boxes.ladder:35
   wire [15:0] boxes_ACC_next = emptied ? 16'd0 : boxes_AB_CTD_ACC;
-  wire boxes_CU_next = ~emptied & boxes_CU_2;
-  wire boxes_CD_next = ~emptied & boxes_AB_CTD_CD;
-  wire boxes_DN_next = ~emptied & boxes_AB_CTD_DN;
-  wire boxes_was_up_next = ~emptied & boxes_was_up;
-  wire boxes_was_down_next = ~emptied & boxes_AB_CTD_was_down;
-  wire unloading_next = unloading_rung7 & ~emptied;
+  wire boxes_CU_next = emptied ? 1'b0 : boxes_CU_2;
+  wire boxes_CD_next = emptied ? 1'b0 : boxes_AB_CTD_CD;
+  wire boxes_DN_next = emptied ? 1'b0 : boxes_AB_CTD_DN;
+  wire boxes_was_up_next = emptied ? 1'b0 : boxes_was_up;
+  wire boxes_was_down_next = emptied ? 1'b0 : boxes_AB_CTD_was_down;
+  wire unloading_next = emptied ? 1'b0 : unloading_rung7;
 
   // rung 9 "conveyor 2", ab_boxes.ladder:37
   wire conveyor_2_next = pe_1_timer_DN | unloading_next;

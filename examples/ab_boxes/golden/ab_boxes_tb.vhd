@@ -245,12 +245,12 @@ begin
 
   -- rung 8, ab_boxes.ladder:35
   boxes_ACC_next <= to_unsigned(0, 16) when emptied = '1' else boxes_AB_CTD_ACC;
-  boxes_CU_next <= not emptied and boxes_CU_2;
-  boxes_CD_next <= not emptied and boxes_AB_CTD_CD;
-  boxes_DN_next <= not emptied and boxes_AB_CTD_DN;
-  boxes_was_up_next <= not emptied and boxes_was_up;
-  boxes_was_down_next <= not emptied and boxes_AB_CTD_was_down;
-  unloading_next <= unloading_rung7 and not emptied;
+  boxes_CU_next <= '0' when emptied = '1' else boxes_CU_2;
+  boxes_CD_next <= '0' when emptied = '1' else boxes_AB_CTD_CD;
+  boxes_DN_next <= '0' when emptied = '1' else boxes_AB_CTD_DN;
+  boxes_was_up_next <= '0' when emptied = '1' else boxes_was_up;
+  boxes_was_down_next <= '0' when emptied = '1' else boxes_AB_CTD_was_down;
+  unloading_next <= '0' when emptied = '1' else unloading_rung7;
 
   -- rung 9 "conveyor 2", ab_boxes.ladder:37
   conveyor_2_next <= pe_1_timer_DN or unloading_next;

@@ -207,7 +207,7 @@ module ab_counters (
 
   // rung 3, ab_counters.ladder:17
   wire [15:0] c5_0_ACC_next = reset_up ? 16'd0 : c5_0_ACC;
-  wire c5_0_was_up_next = ~reset_up & c5_0_was_up;
+  wire c5_0_was_up_next = reset_up ? 1'b0 : c5_0_was_up;
 
   // rung 4 "C5:1 down from 50: DN while 1 or more are left", ab_counters.ladder:19
   wire [15:0] c5_1_ACC;
@@ -251,9 +251,9 @@ module ab_counters (
 
   // rung 9, ab_counters.ladder:32
   wire [15:0] c5_2_ACC_next = reset_up ? 16'd0 : c5_2_ACC_rung8;
-  wire overflow_next = ~reset_up & c5_2_OV;
-  wire c5_2_UN_next = ~reset_up & c5_2_UN;
-  wire c5_2_was_up_next = ~reset_up & c5_2_was_up;
+  wire overflow_next = reset_up ? 1'b0 : c5_2_OV;
+  wire c5_2_UN_next = reset_up ? 1'b0 : c5_2_UN;
+  wire c5_2_was_up_next = reset_up ? 1'b0 : c5_2_was_up;
 
   // rung 10, ab_counters.ladder:34
 

@@ -303,7 +303,7 @@ begin
 
   -- rung 3, ab_counters.ladder:17
   c5_0_ACC_next <= to_unsigned(0, 16) when reset_up = '1' else c5_0_ACC;
-  c5_0_was_up_next <= not reset_up and c5_0_was_up;
+  c5_0_was_up_next <= '0' when reset_up = '1' else c5_0_was_up;
 
   -- rung 4 "C5:1 down from 50: DN while 1 or more are left", ab_counters.ladder:19
   c5_1: entity work.ab_counters_AB_CTD_PRE1
@@ -342,9 +342,9 @@ begin
 
   -- rung 9, ab_counters.ladder:32
   c5_2_ACC_next <= to_unsigned(0, 16) when reset_up = '1' else c5_2_ACC_rung8;
-  overflow_next <= not reset_up and c5_2_OV;
-  c5_2_UN_next <= not reset_up and c5_2_UN;
-  c5_2_was_up_next <= not reset_up and c5_2_was_up;
+  overflow_next <= '0' when reset_up = '1' else c5_2_OV;
+  c5_2_UN_next <= '0' when reset_up = '1' else c5_2_UN;
+  c5_2_was_up_next <= '0' when reset_up = '1' else c5_2_was_up;
 
   -- rung 10, ab_counters.ladder:34
 

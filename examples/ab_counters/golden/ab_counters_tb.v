@@ -100,21 +100,28 @@ module ab_counters_test_CTU_PV99 (
 );
   reg [14:0] CV = 15'd0;
   reg was = 1'b0;
+  reg CV_at_least_99 = 1'b0;
 
   wire unequal = CV != 15'd32767;
-  wire [14:0] sum = CV + {14'b0, power & ~was & unequal};
+  wire condition = power & ~was & unequal;
+  wire [14:0] sum = CV + {14'b0, condition};
   wire [14:0] CV_next = R ? 15'd0 : sum;
+  wire equal = CV == 15'd98;
+  wire choice = condition ? equal | CV_at_least_99 : CV_at_least_99;
+  wire CV_at_least_99_next = ~R & choice;
 
-  assign Q = CV_next >= 15'd99;
+  assign Q = CV_at_least_99_next;
   assign CV_last = CV;
 
   always @(posedge clk) begin
     if (rst) begin
       CV <= 15'd0;
       was <= 1'b0;
+      CV_at_least_99 <= 1'b0;
     end else begin
       CV <= CV_next;
       was <= power;
+      CV_at_least_99 <= CV_at_least_99_next;
     end
   end
 endmodule
@@ -210,7 +217,7 @@ module ab_counters_test (
 
   // rung 3, ab_counters.ladder:17
   wire [15:0] c5_0_ACC_next = reset_up ? 16'd0 : c5_0_ACC_2;
-  wire c5_0_was_up_next = ~reset_up & c5_0_was_up;
+  wire c5_0_was_up_next = reset_up ? 1'b0 : c5_0_was_up;
 
   // rung 4 "C5:1 down from 50: DN while 1 or more are left", ab_counters.ladder:19
   wire [15:0] c5_1_ACC_2;
@@ -256,10 +263,10 @@ module ab_counters_test (
 
   // rung 9, ab_counters.ladder:32
   wire [15:0] c5_2_ACC_next = reset_up ? 16'd0 : c5_2_ACC_rung8;
-  wire c5_2_DN_next = ~reset_up & c5_2_DN_2;
-  wire overflow_next = ~reset_up & c5_2_OV_2;
-  wire c5_2_UN_next = ~reset_up & c5_2_UN;
-  wire c5_2_was_up_next = ~reset_up & c5_2_was_up;
+  wire c5_2_DN_next = reset_up ? 1'b0 : c5_2_DN_2;
+  wire overflow_next = reset_up ? 1'b0 : c5_2_OV_2;
+  wire c5_2_UN_next = reset_up ? 1'b0 : c5_2_UN;
+  wire c5_2_was_up_next = reset_up ? 1'b0 : c5_2_was_up;
 
   // rung 10, ab_counters.ladder:34
 

@@ -138,15 +138,24 @@ end entity ab_counters_test_CTU_PV99;
 architecture rtl of ab_counters_test_CTU_PV99 is
   signal CV : unsigned(14 downto 0) := (others => '0');
   signal was : std_logic := '0';
+  signal CV_at_least_99 : std_logic := '0';
   signal unequal : std_logic;
+  signal condition : std_logic;
   signal sum : unsigned(14 downto 0);
   signal CV_next : unsigned(14 downto 0);
+  signal equal : std_logic;
+  signal choice : std_logic;
+  signal CV_at_least_99_next : std_logic;
 begin
   unequal <= '1' when CV /= 32767 else '0';
-  sum <= CV + (to_unsigned(0, 14) & (power and not was and unequal));
+  condition <= power and not was and unequal;
+  sum <= CV + (to_unsigned(0, 14) & condition);
   CV_next <= to_unsigned(0, 15) when R = '1' else sum;
+  equal <= '1' when CV = 98 else '0';
+  choice <= equal or CV_at_least_99 when condition = '1' else CV_at_least_99;
+  CV_at_least_99_next <= not R and choice;
 
-  Q <= '1' when CV_next >= 99 else '0';
+  Q <= CV_at_least_99_next;
   CV_last <= CV;
 
   process (clk)
@@ -155,9 +164,11 @@ begin
       if rst = '1' then
         CV <= (others => '0');
         was <= '0';
+        CV_at_least_99 <= '0';
       else
         CV <= CV_next;
         was <= power;
+        CV_at_least_99 <= CV_at_least_99_next;
       end if;
     end if;
   end process;
@@ -305,7 +316,7 @@ begin
 
   -- rung 3, ab_counters.ladder:17
   c5_0_ACC_next <= to_unsigned(0, 16) when reset_up = '1' else c5_0_ACC_2;
-  c5_0_was_up_next <= not reset_up and c5_0_was_up;
+  c5_0_was_up_next <= '0' when reset_up = '1' else c5_0_was_up;
 
   -- rung 4 "C5:1 down from 50: DN while 1 or more are left", ab_counters.ladder:19
   c5_1: entity work.ab_counters_test_AB_CTD_PRE1
@@ -345,10 +356,10 @@ begin
 
   -- rung 9, ab_counters.ladder:32
   c5_2_ACC_next <= to_unsigned(0, 16) when reset_up = '1' else c5_2_ACC_rung8;
-  c5_2_DN_next <= not reset_up and c5_2_DN_2;
-  overflow_next <= not reset_up and c5_2_OV_2;
-  c5_2_UN_next <= not reset_up and c5_2_UN;
-  c5_2_was_up_next <= not reset_up and c5_2_was_up;
+  c5_2_DN_next <= '0' when reset_up = '1' else c5_2_DN_2;
+  overflow_next <= '0' when reset_up = '1' else c5_2_OV_2;
+  c5_2_UN_next <= '0' when reset_up = '1' else c5_2_UN;
+  c5_2_was_up_next <= '0' when reset_up = '1' else c5_2_was_up;
 
   -- rung 10, ab_counters.ladder:34
 

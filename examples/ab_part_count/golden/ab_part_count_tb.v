@@ -120,21 +120,28 @@ module ab_part_count_test_CTU_PV1000 (
 );
   reg [14:0] CV = 15'd0;
   reg was = 1'b0;
+  reg CV_at_least_1000 = 1'b0;
 
   wire unequal = CV != 15'd32767;
-  wire [14:0] sum = CV + {14'b0, power & ~was & unequal};
+  wire condition = power & ~was & unequal;
+  wire [14:0] sum = CV + {14'b0, condition};
   wire [14:0] CV_next = R ? 15'd0 : sum;
+  wire equal = CV == 15'd999;
+  wire choice = condition ? equal | CV_at_least_1000 : CV_at_least_1000;
+  wire CV_at_least_1000_next = ~R & choice;
 
-  assign Q = CV_next >= 15'd1000;
+  assign Q = CV_at_least_1000_next;
   assign CV_last = CV;
 
   always @(posedge clk) begin
     if (rst) begin
       CV <= 15'd0;
       was <= 1'b0;
+      CV_at_least_1000 <= 1'b0;
     end else begin
       CV <= CV_next;
       was <= power;
+      CV_at_least_1000 <= CV_at_least_1000_next;
     end
   end
 endmodule

@@ -170,15 +170,24 @@ end entity ab_part_count_test_CTU_PV1000;
 architecture rtl of ab_part_count_test_CTU_PV1000 is
   signal CV : unsigned(14 downto 0) := (others => '0');
   signal was : std_logic := '0';
+  signal CV_at_least_1000 : std_logic := '0';
   signal unequal : std_logic;
+  signal condition : std_logic;
   signal sum : unsigned(14 downto 0);
   signal CV_next : unsigned(14 downto 0);
+  signal equal : std_logic;
+  signal choice : std_logic;
+  signal CV_at_least_1000_next : std_logic;
 begin
   unequal <= '1' when CV /= 32767 else '0';
-  sum <= CV + (to_unsigned(0, 14) & (power and not was and unequal));
+  condition <= power and not was and unequal;
+  sum <= CV + (to_unsigned(0, 14) & condition);
   CV_next <= to_unsigned(0, 15) when R = '1' else sum;
+  equal <= '1' when CV = 999 else '0';
+  choice <= equal or CV_at_least_1000 when condition = '1' else CV_at_least_1000;
+  CV_at_least_1000_next <= not R and choice;
 
-  Q <= '1' when CV_next >= 1000 else '0';
+  Q <= CV_at_least_1000_next;
   CV_last <= CV;
 
   process (clk)
@@ -187,9 +196,11 @@ begin
       if rst = '1' then
         CV <= (others => '0');
         was <= '0';
+        CV_at_least_1000 <= '0';
       else
         CV <= CV_next;
         was <= power;
+        CV_at_least_1000 <= CV_at_least_1000_next;
       end if;
     end if;
   end process;

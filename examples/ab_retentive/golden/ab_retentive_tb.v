@@ -45,9 +45,9 @@ module ab_retentive_test_AB_RTO_BASE100 (
   wire [15:0] ACC_value = ACC_before + {15'b0, condition_2 & unequal};
   wire at_least = $signed(ACC_value) >= $signed({1'b0, choice});
   wire DN_value = DN_reg | power & at_least;
-  wire EN_next = ~clear_after & power;
-  wire TT_next = ~clear_after & power & ~DN_value;
-  wire DN_next = ~clear_after & DN_value;
+  wire EN_next = clear_after ? 1'b0 : power;
+  wire TT_next = clear_after ? 1'b0 : power & ~DN_value;
+  wire DN_next = clear_after ? 1'b0 : DN_value;
 
   assign ACC = ACC_value;
   assign EN_last = EN;

@@ -64,9 +64,9 @@ begin
   ACC_value <= ACC_before + (to_unsigned(0, 15) & (condition_2 and unequal));
   at_least <= '1' when signed(ACC_value) >= signed(resize(choice, 16)) else '0';
   DN_value <= DN_reg or (power and at_least);
-  EN_next <= not clear_after and power;
-  TT_next <= not clear_after and power and not DN_value;
-  DN_next <= not clear_after and DN_value;
+  EN_next <= '0' when clear_after = '1' else power;
+  TT_next <= '0' when clear_after = '1' else power and not DN_value;
+  DN_next <= '0' when clear_after = '1' else DN_value;
 
   ACC <= ACC_value;
   EN_last <= EN;

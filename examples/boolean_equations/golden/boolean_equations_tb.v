@@ -22,20 +22,26 @@ module boolean_equations_test_CTU_PV10 (
 );
   reg [14:0] CV = 15'd0;
   reg was = 1'b0;
+  reg CV_at_least_10 = 1'b0;
 
   wire unequal = CV != 15'd32767;
-  wire [14:0] CV_next = CV + {14'b0, power & ~was & unequal};
+  wire condition = power & ~was & unequal;
+  wire [14:0] CV_next = CV + {14'b0, condition};
+  wire equal = CV == 15'd9;
+  wire CV_at_least_10_next = condition ? equal | CV_at_least_10 : CV_at_least_10;
 
-  assign Q = CV_next >= 15'd10;
+  assign Q = CV_at_least_10_next;
   assign CV_last = CV;
 
   always @(posedge clk) begin
     if (rst) begin
       CV <= 15'd0;
       was <= 1'b0;
+      CV_at_least_10 <= 1'b0;
     end else begin
       CV <= CV_next;
       was <= power;
+      CV_at_least_10 <= CV_at_least_10_next;
     end
   end
 endmodule

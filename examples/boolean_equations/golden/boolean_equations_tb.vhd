@@ -27,13 +27,20 @@ end entity boolean_equations_test_CTU_PV10;
 architecture rtl of boolean_equations_test_CTU_PV10 is
   signal CV : unsigned(14 downto 0) := (others => '0');
   signal was : std_logic := '0';
+  signal CV_at_least_10 : std_logic := '0';
   signal unequal : std_logic;
+  signal condition : std_logic;
   signal CV_next : unsigned(14 downto 0);
+  signal equal : std_logic;
+  signal CV_at_least_10_next : std_logic;
 begin
   unequal <= '1' when CV /= 32767 else '0';
-  CV_next <= CV + (to_unsigned(0, 14) & (power and not was and unequal));
+  condition <= power and not was and unequal;
+  CV_next <= CV + (to_unsigned(0, 14) & condition);
+  equal <= '1' when CV = 9 else '0';
+  CV_at_least_10_next <= equal or CV_at_least_10 when condition = '1' else CV_at_least_10;
 
-  Q <= '1' when CV_next >= 10 else '0';
+  Q <= CV_at_least_10_next;
   CV_last <= CV;
 
   process (clk)
@@ -42,9 +49,11 @@ begin
       if rst = '1' then
         CV <= (others => '0');
         was <= '0';
+        CV_at_least_10 <= '0';
       else
         CV <= CV_next;
         was <= power;
+        CV_at_least_10 <= CV_at_least_10_next;
       end if;
     end if;
   end process;

@@ -141,27 +141,35 @@ module cash_register (
   // rung 9 "remember what was entered", cash_register.ladder:62
   wire rung9_unequal = entry != 4'd15;
   wire rung9_equal = place == 3'd0;
-  wire [2:0] last_0_next = (rung9_unequal & rung9_equal) ? entry[2:0] : last_0;
+  wire [2:0] rung9_choice = rung9_equal ? entry[2:0] : last_0;
+  wire [2:0] last_0_next = rung9_unequal ? rung9_choice : last_0;
   wire rung9_equal_2 = place == 3'd1;
-  wire [2:0] last_1_next = (rung9_unequal & rung9_equal_2) ? entry[2:0] : last_1;
+  wire [2:0] rung9_choice_2 = rung9_equal_2 ? entry[2:0] : last_1;
+  wire [2:0] last_1_next = rung9_unequal ? rung9_choice_2 : last_1;
   wire rung9_equal_3 = place == 3'd2;
-  wire [2:0] last_2_next = (rung9_unequal & rung9_equal_3) ? entry[2:0] : last_2;
+  wire [2:0] rung9_choice_3 = rung9_equal_3 ? entry[2:0] : last_2;
+  wire [2:0] last_2_next = rung9_unequal ? rung9_choice_3 : last_2;
   wire rung9_equal_4 = place == 3'd3;
-  wire [2:0] last_3_next = (rung9_unequal & rung9_equal_4) ? entry[2:0] : last_3;
+  wire [2:0] rung9_choice_4 = rung9_equal_4 ? entry[2:0] : last_3;
+  wire [2:0] last_3_next = rung9_unequal ? rung9_choice_4 : last_3;
   wire rung9_equal_5 = place == 3'd4;
-  wire [2:0] last_4_next = (rung9_unequal & rung9_equal_5) ? entry[2:0] : last_4;
+  wire [2:0] rung9_choice_5 = rung9_equal_5 ? entry[2:0] : last_4;
+  wire [2:0] last_4_next = rung9_unequal ? rung9_choice_5 : last_4;
   wire rung9_equal_6 = place == 3'd5;
-  wire [2:0] last_5_next = (rung9_unequal & rung9_equal_6) ? entry[2:0] : last_5;
+  wire [2:0] rung9_choice_6 = rung9_equal_6 ? entry[2:0] : last_5;
+  wire [2:0] last_5_next = rung9_unequal ? rung9_choice_6 : last_5;
   wire rung9_equal_7 = place == 3'd6;
-  wire [2:0] last_6_next = (rung9_unequal & rung9_equal_7) ? entry[2:0] : last_6;
+  wire [2:0] rung9_choice_7 = rung9_equal_7 ? entry[2:0] : last_6;
+  wire [2:0] last_6_next = rung9_unequal ? rung9_choice_7 : last_6;
   wire rung9_equal_8 = place == 3'd7;
-  wire [2:0] last_7_next = (rung9_unequal & rung9_equal_8) ? entry[2:0] : last_7;
+  wire [2:0] rung9_choice_8 = rung9_equal_8 ? entry[2:0] : last_7;
+  wire [2:0] last_7_next = rung9_unequal ? rung9_choice_8 : last_7;
   wire [3:0] rung9_sum = {1'b0, place} + 4'd1;
   wire [2:0] place_rung9 = rung9_unequal ? rung9_sum[2:0] : place;
   wire [15:0] rung9_sum_2 = kept + 16'd1;
   wire rung9_greater = rung9_sum_2 > 16'd8;
-  wire [3:0] rung9_choice = rung9_greater ? 4'd8 : rung9_sum_2[3:0];
-  wire [15:0] kept_rung9 = rung9_unequal ? {12'b0, rung9_choice} : kept;
+  wire [3:0] rung9_choice_9 = rung9_greater ? 4'd8 : rung9_sum_2[3:0];
+  wire [15:0] kept_rung9 = rung9_unequal ? {12'b0, rung9_choice_9} : kept;
 
   // rung 10 "take the last entry back", cash_register.ladder:66
 

@@ -44,30 +44,51 @@ module drum_sequence_test_DRUM_PV12 (
   reg Q = 1'b0;
   reg [10:0] ACC = 11'd0;
   reg was = 1'b0;
+  reg ACC_at_least_3 = 1'b0;
+  reg ACC_at_least_5 = 1'b0;
+  reg ACC_at_least_9 = 1'b0;
 
   wire condition = power & ~was;
   wire unequal = ACC != 11'd2047;
-  wire [10:0] sum = ACC + {10'b0, condition & unequal};
+  wire condition_2 = condition & unequal;
+  wire [10:0] sum = ACC + {10'b0, condition_2};
   wire [10:0] ACC_next = EN ? sum : 11'd0;
-  wire Q_next = ACC_next >= 11'd12;
-  wire equal = ACC == 11'd0;
+  wire equal = ACC == 11'd11;
+  wire choice = condition_2 ? equal | Q : Q;
+  wire Q_next = EN & choice;
+  wire equal_2 = ACC == 11'd0;
+  wire equal_3 = ACC == 11'd2;
+  wire choice_2 = condition_2 ? equal_3 | ACC_at_least_3 : ACC_at_least_3;
+  wire ACC_at_least_3_next = EN & choice_2;
+  wire equal_4 = ACC == 11'd4;
+  wire choice_3 = condition_2 ? equal_4 | ACC_at_least_5 : ACC_at_least_5;
+  wire ACC_at_least_5_next = EN & choice_3;
+  wire equal_5 = ACC == 11'd8;
+  wire choice_4 = condition_2 ? equal_5 | ACC_at_least_9 : ACC_at_least_9;
+  wire ACC_at_least_9_next = EN & choice_4;
 
   assign Q_last = Q;
   assign ACC_last = ACC;
-  assign TAP0 = ~(~EN | ~condition & equal);
-  assign TAP1 = ACC_next >= 11'd3;
-  assign TAP2 = ACC_next >= 11'd5;
-  assign TAP3 = ACC_next >= 11'd9;
+  assign TAP0 = ~(~EN | ~condition & equal_2);
+  assign TAP1 = ACC_at_least_3_next;
+  assign TAP2 = ACC_at_least_5_next;
+  assign TAP3 = ACC_at_least_9_next;
 
   always @(posedge clk) begin
     if (rst) begin
       Q <= 1'b0;
       ACC <= 11'd0;
       was <= 1'b0;
+      ACC_at_least_3 <= 1'b0;
+      ACC_at_least_5 <= 1'b0;
+      ACC_at_least_9 <= 1'b0;
     end else begin
       Q <= Q_next;
       ACC <= ACC_next;
       was <= power;
+      ACC_at_least_3 <= ACC_at_least_3_next;
+      ACC_at_least_5 <= ACC_at_least_5_next;
+      ACC_at_least_9 <= ACC_at_least_9_next;
     end
   end
 endmodule

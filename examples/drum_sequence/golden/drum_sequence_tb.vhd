@@ -58,26 +58,53 @@ architecture rtl of drum_sequence_test_DRUM_PV12 is
   signal Q : std_logic := '0';
   signal ACC : unsigned(10 downto 0) := (others => '0');
   signal was : std_logic := '0';
+  signal ACC_at_least_3 : std_logic := '0';
+  signal ACC_at_least_5 : std_logic := '0';
+  signal ACC_at_least_9 : std_logic := '0';
   signal condition : std_logic;
   signal unequal : std_logic;
+  signal condition_2 : std_logic;
   signal sum : unsigned(10 downto 0);
   signal ACC_next : unsigned(10 downto 0);
-  signal Q_next : std_logic;
   signal equal : std_logic;
+  signal choice : std_logic;
+  signal Q_next : std_logic;
+  signal equal_2 : std_logic;
+  signal equal_3 : std_logic;
+  signal choice_2 : std_logic;
+  signal ACC_at_least_3_next : std_logic;
+  signal equal_4 : std_logic;
+  signal choice_3 : std_logic;
+  signal ACC_at_least_5_next : std_logic;
+  signal equal_5 : std_logic;
+  signal choice_4 : std_logic;
+  signal ACC_at_least_9_next : std_logic;
 begin
   condition <= power and not was;
   unequal <= '1' when ACC /= 2047 else '0';
-  sum <= ACC + (to_unsigned(0, 10) & (condition and unequal));
+  condition_2 <= condition and unequal;
+  sum <= ACC + (to_unsigned(0, 10) & condition_2);
   ACC_next <= sum when EN = '1' else to_unsigned(0, 11);
-  Q_next <= '1' when ACC_next >= 12 else '0';
-  equal <= '1' when ACC = 0 else '0';
+  equal <= '1' when ACC = 11 else '0';
+  choice <= equal or Q when condition_2 = '1' else Q;
+  Q_next <= EN and choice;
+  equal_2 <= '1' when ACC = 0 else '0';
+  equal_3 <= '1' when ACC = 2 else '0';
+  choice_2 <= equal_3 or ACC_at_least_3 when condition_2 = '1' else ACC_at_least_3;
+  ACC_at_least_3_next <= EN and choice_2;
+  equal_4 <= '1' when ACC = 4 else '0';
+  choice_3 <= equal_4 or ACC_at_least_5 when condition_2 = '1' else ACC_at_least_5;
+  ACC_at_least_5_next <= EN and choice_3;
+  equal_5 <= '1' when ACC = 8 else '0';
+  choice_4 <= equal_5 or ACC_at_least_9 when condition_2 = '1' else ACC_at_least_9;
+  ACC_at_least_9_next <= EN and choice_4;
 
   Q_last <= Q;
   ACC_last <= ACC;
-  TAP0 <= not (not EN or (not condition and equal));
-  TAP1 <= '1' when ACC_next >= 3 else '0';
-  TAP2 <= '1' when ACC_next >= 5 else '0';
-  TAP3 <= '1' when ACC_next >= 9 else '0';
+  TAP0 <= not (not EN or (not condition and equal_2));
+  TAP1 <= ACC_at_least_3_next;
+  TAP2 <= ACC_at_least_5_next;
+  TAP3 <= ACC_at_least_9_next;
 
   process (clk)
   begin
@@ -86,10 +113,16 @@ begin
         Q <= '0';
         ACC <= (others => '0');
         was <= '0';
+        ACC_at_least_3 <= '0';
+        ACC_at_least_5 <= '0';
+        ACC_at_least_9 <= '0';
       else
         Q <= Q_next;
         ACC <= ACC_next;
         was <= power;
+        ACC_at_least_3 <= ACC_at_least_3_next;
+        ACC_at_least_5 <= ACC_at_least_5_next;
+        ACC_at_least_9 <= ACC_at_least_9_next;
       end if;
     end if;
   end process;

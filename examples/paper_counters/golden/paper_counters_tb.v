@@ -23,21 +23,28 @@ module paper_counters_test_UC_PV5 (
 );
   reg [13:0] ACC = 14'd0;
   reg was = 1'b0;
+  reg ACC_at_least_5 = 1'b0;
 
   wire unequal = ACC != 14'd9999;
-  wire [13:0] sum = ACC + {13'b0, power & ~was & unequal};
+  wire condition = power & ~was & unequal;
+  wire [13:0] sum = ACC + {13'b0, condition};
   wire [13:0] ACC_next = EN ? sum : 14'd0;
+  wire equal = ACC == 14'd4;
+  wire choice = condition ? equal | ACC_at_least_5 : ACC_at_least_5;
+  wire ACC_at_least_5_next = EN & choice;
 
-  assign Q = ACC_next >= 14'd5;
+  assign Q = ACC_at_least_5_next;
   assign ACC_last = ACC;
 
   always @(posedge clk) begin
     if (rst) begin
       ACC <= 14'd0;
       was <= 1'b0;
+      ACC_at_least_5 <= 1'b0;
     end else begin
       ACC <= ACC_next;
       was <= power;
+      ACC_at_least_5 <= ACC_at_least_5_next;
     end
   end
 endmodule
@@ -103,25 +110,56 @@ module paper_counters_test_DRUM_PV10 (
 );
   reg [10:0] ACC = 11'd0;
   reg was = 1'b0;
+  reg ACC_at_least_10 = 1'b0;
+  reg ACC_at_least_2 = 1'b0;
+  reg ACC_at_least_4 = 1'b0;
+  reg ACC_at_least_6 = 1'b0;
+  reg ACC_at_least_8 = 1'b0;
 
   wire unequal = ACC != 11'd2047;
-  wire [10:0] sum = ACC + {10'b0, power & ~was & unequal};
+  wire condition = power & ~was & unequal;
+  wire [10:0] sum = ACC + {10'b0, condition};
   wire [10:0] ACC_next = EN ? sum : 11'd0;
+  wire equal = ACC == 11'd9;
+  wire choice = condition ? equal | ACC_at_least_10 : ACC_at_least_10;
+  wire ACC_at_least_10_next = EN & choice;
+  wire equal_2 = ACC == 11'd1;
+  wire choice_2 = condition ? equal_2 | ACC_at_least_2 : ACC_at_least_2;
+  wire ACC_at_least_2_next = EN & choice_2;
+  wire equal_3 = ACC == 11'd3;
+  wire choice_3 = condition ? equal_3 | ACC_at_least_4 : ACC_at_least_4;
+  wire ACC_at_least_4_next = EN & choice_3;
+  wire equal_4 = ACC == 11'd5;
+  wire choice_4 = condition ? equal_4 | ACC_at_least_6 : ACC_at_least_6;
+  wire ACC_at_least_6_next = EN & choice_4;
+  wire equal_5 = ACC == 11'd7;
+  wire choice_5 = condition ? equal_5 | ACC_at_least_8 : ACC_at_least_8;
+  wire ACC_at_least_8_next = EN & choice_5;
 
-  assign Q = ACC_next >= 11'd10;
+  assign Q = ACC_at_least_10_next;
   assign ACC_last = ACC;
-  assign TAP0 = ACC_next >= 11'd2;
-  assign TAP1 = ACC_next >= 11'd4;
-  assign TAP2 = ACC_next >= 11'd6;
-  assign TAP3 = ACC_next >= 11'd8;
+  assign TAP0 = ACC_at_least_2_next;
+  assign TAP1 = ACC_at_least_4_next;
+  assign TAP2 = ACC_at_least_6_next;
+  assign TAP3 = ACC_at_least_8_next;
 
   always @(posedge clk) begin
     if (rst) begin
       ACC <= 11'd0;
       was <= 1'b0;
+      ACC_at_least_10 <= 1'b0;
+      ACC_at_least_2 <= 1'b0;
+      ACC_at_least_4 <= 1'b0;
+      ACC_at_least_6 <= 1'b0;
+      ACC_at_least_8 <= 1'b0;
     end else begin
       ACC <= ACC_next;
       was <= power;
+      ACC_at_least_10 <= ACC_at_least_10_next;
+      ACC_at_least_2 <= ACC_at_least_2_next;
+      ACC_at_least_4 <= ACC_at_least_4_next;
+      ACC_at_least_6 <= ACC_at_least_6_next;
+      ACC_at_least_8 <= ACC_at_least_8_next;
     end
   end
 endmodule

@@ -28,15 +28,24 @@ end entity paper_counters_test_UC_PV5;
 architecture rtl of paper_counters_test_UC_PV5 is
   signal ACC : unsigned(13 downto 0) := (others => '0');
   signal was : std_logic := '0';
+  signal ACC_at_least_5 : std_logic := '0';
   signal unequal : std_logic;
+  signal condition : std_logic;
   signal sum : unsigned(13 downto 0);
   signal ACC_next : unsigned(13 downto 0);
+  signal equal : std_logic;
+  signal choice : std_logic;
+  signal ACC_at_least_5_next : std_logic;
 begin
   unequal <= '1' when ACC /= 9999 else '0';
-  sum <= ACC + (to_unsigned(0, 13) & (power and not was and unequal));
+  condition <= power and not was and unequal;
+  sum <= ACC + (to_unsigned(0, 13) & condition);
   ACC_next <= sum when EN = '1' else to_unsigned(0, 14);
+  equal <= '1' when ACC = 4 else '0';
+  choice <= equal or ACC_at_least_5 when condition = '1' else ACC_at_least_5;
+  ACC_at_least_5_next <= EN and choice;
 
-  Q <= '1' when ACC_next >= 5 else '0';
+  Q <= ACC_at_least_5_next;
   ACC_last <= ACC;
 
   process (clk)
@@ -45,9 +54,11 @@ begin
       if rst = '1' then
         ACC <= (others => '0');
         was <= '0';
+        ACC_at_least_5 <= '0';
       else
         ACC <= ACC_next;
         was <= power;
+        ACC_at_least_5 <= ACC_at_least_5_next;
       end if;
     end if;
   end process;
@@ -138,20 +149,57 @@ end entity paper_counters_test_DRUM_PV10;
 architecture rtl of paper_counters_test_DRUM_PV10 is
   signal ACC : unsigned(10 downto 0) := (others => '0');
   signal was : std_logic := '0';
+  signal ACC_at_least_10 : std_logic := '0';
+  signal ACC_at_least_2 : std_logic := '0';
+  signal ACC_at_least_4 : std_logic := '0';
+  signal ACC_at_least_6 : std_logic := '0';
+  signal ACC_at_least_8 : std_logic := '0';
   signal unequal : std_logic;
+  signal condition : std_logic;
   signal sum : unsigned(10 downto 0);
   signal ACC_next : unsigned(10 downto 0);
+  signal equal : std_logic;
+  signal choice : std_logic;
+  signal ACC_at_least_10_next : std_logic;
+  signal equal_2 : std_logic;
+  signal choice_2 : std_logic;
+  signal ACC_at_least_2_next : std_logic;
+  signal equal_3 : std_logic;
+  signal choice_3 : std_logic;
+  signal ACC_at_least_4_next : std_logic;
+  signal equal_4 : std_logic;
+  signal choice_4 : std_logic;
+  signal ACC_at_least_6_next : std_logic;
+  signal equal_5 : std_logic;
+  signal choice_5 : std_logic;
+  signal ACC_at_least_8_next : std_logic;
 begin
   unequal <= '1' when ACC /= 2047 else '0';
-  sum <= ACC + (to_unsigned(0, 10) & (power and not was and unequal));
+  condition <= power and not was and unequal;
+  sum <= ACC + (to_unsigned(0, 10) & condition);
   ACC_next <= sum when EN = '1' else to_unsigned(0, 11);
+  equal <= '1' when ACC = 9 else '0';
+  choice <= equal or ACC_at_least_10 when condition = '1' else ACC_at_least_10;
+  ACC_at_least_10_next <= EN and choice;
+  equal_2 <= '1' when ACC = 1 else '0';
+  choice_2 <= equal_2 or ACC_at_least_2 when condition = '1' else ACC_at_least_2;
+  ACC_at_least_2_next <= EN and choice_2;
+  equal_3 <= '1' when ACC = 3 else '0';
+  choice_3 <= equal_3 or ACC_at_least_4 when condition = '1' else ACC_at_least_4;
+  ACC_at_least_4_next <= EN and choice_3;
+  equal_4 <= '1' when ACC = 5 else '0';
+  choice_4 <= equal_4 or ACC_at_least_6 when condition = '1' else ACC_at_least_6;
+  ACC_at_least_6_next <= EN and choice_4;
+  equal_5 <= '1' when ACC = 7 else '0';
+  choice_5 <= equal_5 or ACC_at_least_8 when condition = '1' else ACC_at_least_8;
+  ACC_at_least_8_next <= EN and choice_5;
 
-  Q <= '1' when ACC_next >= 10 else '0';
+  Q <= ACC_at_least_10_next;
   ACC_last <= ACC;
-  TAP0 <= '1' when ACC_next >= 2 else '0';
-  TAP1 <= '1' when ACC_next >= 4 else '0';
-  TAP2 <= '1' when ACC_next >= 6 else '0';
-  TAP3 <= '1' when ACC_next >= 8 else '0';
+  TAP0 <= ACC_at_least_2_next;
+  TAP1 <= ACC_at_least_4_next;
+  TAP2 <= ACC_at_least_6_next;
+  TAP3 <= ACC_at_least_8_next;
 
   process (clk)
   begin
@@ -159,9 +207,19 @@ begin
       if rst = '1' then
         ACC <= (others => '0');
         was <= '0';
+        ACC_at_least_10 <= '0';
+        ACC_at_least_2 <= '0';
+        ACC_at_least_4 <= '0';
+        ACC_at_least_6 <= '0';
+        ACC_at_least_8 <= '0';
       else
         ACC <= ACC_next;
         was <= power;
+        ACC_at_least_10 <= ACC_at_least_10_next;
+        ACC_at_least_2 <= ACC_at_least_2_next;
+        ACC_at_least_4 <= ACC_at_least_4_next;
+        ACC_at_least_6 <= ACC_at_least_6_next;
+        ACC_at_least_8 <= ACC_at_least_8_next;
       end if;
     end if;
   end process;

@@ -57,21 +57,28 @@ module part_counter_CTU_PV5 (
 );
   reg [14:0] CV_reg = 15'd0;
   reg was = 1'b0;
+  reg CV_at_least_5 = 1'b0;
 
   wire unequal = CV_reg != 15'd32767;
-  wire [14:0] sum = CV_reg + {14'b0, power & ~was & unequal};
+  wire condition = power & ~was & unequal;
+  wire [14:0] sum = CV_reg + {14'b0, condition};
   wire [14:0] CV_next = R ? 15'd0 : sum;
+  wire equal = CV_reg == 15'd4;
+  wire choice = condition ? equal | CV_at_least_5 : CV_at_least_5;
+  wire CV_at_least_5_next = ~R & choice;
 
-  assign Q = CV_next >= 15'd5;
+  assign Q = CV_at_least_5_next;
   assign CV = CV_next;
 
   always @(posedge clk) begin
     if (rst) begin
       CV_reg <= 15'd0;
       was <= 1'b0;
+      CV_at_least_5 <= 1'b0;
     end else begin
       CV_reg <= CV_next;
       was <= power;
+      CV_at_least_5 <= CV_at_least_5_next;
     end
   end
 endmodule

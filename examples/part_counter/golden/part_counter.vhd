@@ -76,15 +76,24 @@ end entity part_counter_CTU_PV5;
 architecture rtl of part_counter_CTU_PV5 is
   signal CV_reg : unsigned(14 downto 0) := (others => '0');
   signal was : std_logic := '0';
+  signal CV_at_least_5 : std_logic := '0';
   signal unequal : std_logic;
+  signal condition : std_logic;
   signal sum : unsigned(14 downto 0);
   signal CV_next : unsigned(14 downto 0);
+  signal equal : std_logic;
+  signal choice : std_logic;
+  signal CV_at_least_5_next : std_logic;
 begin
   unequal <= '1' when CV_reg /= 32767 else '0';
-  sum <= CV_reg + (to_unsigned(0, 14) & (power and not was and unequal));
+  condition <= power and not was and unequal;
+  sum <= CV_reg + (to_unsigned(0, 14) & condition);
   CV_next <= to_unsigned(0, 15) when R = '1' else sum;
+  equal <= '1' when CV_reg = 4 else '0';
+  choice <= equal or CV_at_least_5 when condition = '1' else CV_at_least_5;
+  CV_at_least_5_next <= not R and choice;
 
-  Q <= '1' when CV_next >= 5 else '0';
+  Q <= CV_at_least_5_next;
   CV <= CV_next;
 
   process (clk)
@@ -93,9 +102,11 @@ begin
       if rst = '1' then
         CV_reg <= (others => '0');
         was <= '0';
+        CV_at_least_5 <= '0';
       else
         CV_reg <= CV_next;
         was <= power;
+        CV_at_least_5 <= CV_at_least_5_next;
       end if;
     end if;
   end process;

@@ -88,9 +88,9 @@ module race_three_pushes (
   wire turn_b_next = (age_a_clear_after | age_b_clear_after) ? ~turn_b : turn_b;
 
   // rung 6 "clear", race_three_pushes.ladder:27
-  wire won_next = won_rung4 & ~clear;
-  wire seen_a_next = seen_a_rung5 & ~clear;
-  wire seen_b_next = seen_b_rung5 & ~clear;
+  wire won_next = clear ? 1'b0 : won_rung4;
+  wire seen_a_next = clear ? 1'b0 : seen_a_rung5;
+  wire seen_b_next = clear ? 1'b0 : seen_b_rung5;
 
   assign won = won_reg;
 

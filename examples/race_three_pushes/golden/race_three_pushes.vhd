@@ -122,9 +122,9 @@ begin
   turn_b_next <= not turn_b when (age_a_clear_after or age_b_clear_after) = '1' else turn_b;
 
   -- rung 6 "clear", race_three_pushes.ladder:27
-  won_next <= won_rung4 and not clear;
-  seen_a_next <= seen_a_rung5 and not clear;
-  seen_b_next <= seen_b_rung5 and not clear;
+  won_next <= '0' when clear = '1' else won_rung4;
+  seen_a_next <= '0' when clear = '1' else seen_a_rung5;
+  seen_b_next <= '0' when clear = '1' else seen_b_rung5;
 
   won <= won_reg;
 

@@ -13,29 +13,32 @@
 // Q   ___######____##
 // CV  011222334001122
 module race_two_pushes_CTU_PV2 (
-  input  wire        clk,
-  input  wire        rst,
-  input  wire        power,
-  input  wire        clear_after,
-  output wire        Q,
-  output wire [14:0] CV
+  input  wire clk,
+  input  wire rst,
+  input  wire power,
+  input  wire clear_after,
+  output wire Q,
+  output wire CV_at_least_1
 );
-  reg [14:0] CV_reg = 15'd0;
+  reg [1:0] CV = 2'd0;
   reg was = 1'b0;
 
-  wire unequal = CV_reg != 15'd32767;
-  wire [14:0] CV_value = CV_reg + {14'b0, power & ~was & unequal};
-  wire [14:0] CV_next = clear_after ? 15'd0 : CV_value;
+  wire condition = power & ~was;
+  wire equal = CV == 2'd2;
+  wire [1:0] sum = CV + {1'b0, condition & ~equal};
+  wire equal_2 = CV == 2'd1;
+  wire [1:0] CV_next = clear_after ? 2'd0 : sum;
+  wire equal_3 = CV == 2'd0;
 
-  assign Q = CV_value >= 15'd2;
-  assign CV = CV_value;
+  assign Q = condition & equal_2 | equal;
+  assign CV_at_least_1 = ~(~condition & equal_3);
 
   always @(posedge clk) begin
     if (rst) begin
-      CV_reg <= 15'd0;
+      CV <= 2'd0;
       was <= 1'b0;
     end else begin
-      CV_reg <= CV_next;
+      CV <= CV_next;
       was <= power;
     end
   end
@@ -90,10 +93,9 @@ module race_two_pushes (
 
   // rung 1 "count the pushes", race_two_pushes.ladder:10
   wire pushes_Q;
-  wire [14:0] pushes_CV;
+  wire pushes_CV_at_least_1;
 
   // rung 2 "the time runs from the first push on", race_two_pushes.ladder:13
-  wire time_power = pushes_CV != 15'd0;
   wire time_Q;
 
   // rung 3 "two pushes before the time is up", race_two_pushes.ladder:16
@@ -111,14 +113,14 @@ module race_two_pushes (
     .power(button),
     .clear_after(pushes_clear_after),
     .Q(pushes_Q),
-    .CV(pushes_CV)
+    .CV_at_least_1(pushes_CV_at_least_1)
   );
   wire time_clear_after = rung4_power | clear;
   race_two_pushes_TON_PT20 time_u (
     .clk(clk),
     .rst(rst),
     .tick(tick),
-    .power(time_power),
+    .power(pushes_CV_at_least_1),
     .clear_after(time_clear_after),
     .Q(time_Q)
   );

@@ -19,26 +19,28 @@ module race_two_pushes_test_CTU_PV2 (
   input  wire        power,
   input  wire        clear_after,
   output wire        Q,
-  output wire [14:0] CV,
-  output wire [14:0] CV_last
+  output wire [14:0] CV_last,
+  output wire        CV_at_least_1
 );
-  reg [14:0] CV_reg = 15'd0;
+  reg [14:0] CV = 15'd0;
   reg was = 1'b0;
 
-  wire unequal = CV_reg != 15'd32767;
-  wire [14:0] CV_value = CV_reg + {14'b0, power & ~was & unequal};
-  wire [14:0] CV_next = clear_after ? 15'd0 : CV_value;
+  wire condition = ~was;
+  wire unequal = CV != 15'd32767;
+  wire [14:0] sum = CV + {14'b0, power & condition & unequal};
+  wire [14:0] CV_next = clear_after ? 15'd0 : sum;
+  wire equal = CV == 15'd0;
 
-  assign Q = CV_value >= 15'd2;
-  assign CV = CV_value;
-  assign CV_last = CV_reg;
+  assign Q = sum >= 15'd2;
+  assign CV_last = CV;
+  assign CV_at_least_1 = ~(~(power & condition) & equal);
 
   always @(posedge clk) begin
     if (rst) begin
-      CV_reg <= 15'd0;
+      CV <= 15'd0;
       was <= 1'b0;
     end else begin
-      CV_reg <= CV_next;
+      CV <= CV_next;
       was <= power;
     end
   end
@@ -94,11 +96,10 @@ module race_two_pushes_test (
 
   // rung 1 "count the pushes", race_two_pushes.ladder:10
   wire pushes_Q;
-  wire [14:0] pushes_CV_2;
   wire [14:0] pushes_CV_last;
+  wire pushes_CV_at_least_1;
 
   // rung 2 "the time runs from the first push on", race_two_pushes.ladder:13
-  wire time_power = pushes_CV_2 != 15'd0;
   wire time_Q;
 
   // rung 3 "two pushes before the time is up", race_two_pushes.ladder:16
@@ -117,15 +118,15 @@ module race_two_pushes_test (
     .power(button),
     .clear_after(pushes_clear_after),
     .Q(pushes_Q),
-    .CV(pushes_CV_2),
-    .CV_last(pushes_CV_last)
+    .CV_last(pushes_CV_last),
+    .CV_at_least_1(pushes_CV_at_least_1)
   );
   wire time_clear_after = rung4_power | clear;
   race_two_pushes_test_TON_PT20 time_u (
     .clk(clk),
     .rst(rst),
     .tick(tick),
-    .power(time_power),
+    .power(pushes_CV_at_least_1),
     .clear_after(time_clear_after),
     .Q(time_Q)
   );

@@ -16,39 +16,43 @@ use ieee.numeric_std.all;
 
 entity race_two_pushes_test_CTU_PV2 is
   port (
-    clk         : in  std_logic;
-    rst         : in  std_logic;
-    power       : in  std_logic;
-    clear_after : in  std_logic;
-    Q           : out std_logic;
-    CV          : out unsigned(14 downto 0);
-    CV_last     : out unsigned(14 downto 0)
+    clk           : in  std_logic;
+    rst           : in  std_logic;
+    power         : in  std_logic;
+    clear_after   : in  std_logic;
+    Q             : out std_logic;
+    CV_last       : out unsigned(14 downto 0);
+    CV_at_least_1 : out std_logic
   );
 end entity race_two_pushes_test_CTU_PV2;
 
 architecture rtl of race_two_pushes_test_CTU_PV2 is
-  signal CV_reg : unsigned(14 downto 0) := (others => '0');
+  signal CV : unsigned(14 downto 0) := (others => '0');
   signal was : std_logic := '0';
+  signal condition : std_logic;
   signal unequal : std_logic;
-  signal CV_value : unsigned(14 downto 0);
+  signal sum : unsigned(14 downto 0);
   signal CV_next : unsigned(14 downto 0);
+  signal equal : std_logic;
 begin
-  unequal <= '1' when CV_reg /= 32767 else '0';
-  CV_value <= CV_reg + (to_unsigned(0, 14) & (power and not was and unequal));
-  CV_next <= to_unsigned(0, 15) when clear_after = '1' else CV_value;
+  condition <= not was;
+  unequal <= '1' when CV /= 32767 else '0';
+  sum <= CV + (to_unsigned(0, 14) & (power and condition and unequal));
+  CV_next <= to_unsigned(0, 15) when clear_after = '1' else sum;
+  equal <= '1' when CV = 0 else '0';
 
-  Q <= '1' when CV_value >= 2 else '0';
-  CV <= CV_value;
-  CV_last <= CV_reg;
+  Q <= '1' when sum >= 2 else '0';
+  CV_last <= CV;
+  CV_at_least_1 <= not (not (power and condition) and equal);
 
   process (clk)
   begin
     if rising_edge(clk) then
       if rst = '1' then
-        CV_reg <= (others => '0');
+        CV <= (others => '0');
         was <= '0';
       else
-        CV_reg <= CV_next;
+        CV <= CV_next;
         was <= power;
       end if;
     end if;
@@ -128,9 +132,8 @@ end entity race_two_pushes_test;
 architecture rtl of race_two_pushes_test is
   signal won_reg : std_logic := '0';
   signal pushes_Q : std_logic;
-  signal pushes_CV_2 : unsigned(14 downto 0);
   signal pushes_CV_last : unsigned(14 downto 0);
-  signal time_power : std_logic;
+  signal pushes_CV_at_least_1 : std_logic;
   signal time_Q : std_logic;
   signal won_rung3 : std_logic;
   signal rung4_power : std_logic;
@@ -143,7 +146,6 @@ begin
   -- rung 1 "count the pushes", race_two_pushes.ladder:10
 
   -- rung 2 "the time runs from the first push on", race_two_pushes.ladder:13
-  time_power <= '1' when pushes_CV_2 /= 0 else '0';
 
   -- rung 3 "two pushes before the time is up", race_two_pushes.ladder:16
   won_rung3 <= (pushes_Q and not time_Q) or won_reg;
@@ -162,8 +164,8 @@ begin
       power => button,
       clear_after => pushes_clear_after,
       Q => pushes_Q,
-      CV => pushes_CV_2,
-      CV_last => pushes_CV_last
+      CV_last => pushes_CV_last,
+      CV_at_least_1 => pushes_CV_at_least_1
     );
   time_clear_after <= rung4_power or clear;
   time_u: entity work.race_two_pushes_test_TON_PT20
@@ -171,7 +173,7 @@ begin
       clk => clk,
       rst => rst,
       tick => tick,
-      power => time_power,
+      power => pushes_CV_at_least_1,
       clear_after => time_clear_after,
       Q => time_Q
     );

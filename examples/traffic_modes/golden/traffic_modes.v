@@ -145,7 +145,7 @@ module traffic_modes (
   wire interval_is_2_next =
       timer_Q ? ~rung10_power_2 & ~rung10_power & ~rung9_power & ~rung8_power & ns_green_reg
       : interval_is_2;
-  wire ns_yellow_next = interval_is_2_next | blink;
+  wire ns_yellow_next = blink ? 1'b1 : interval_is_2_next;
 
   // rung 15, traffic_modes.ladder:54
   wire rung15_choice =
@@ -162,7 +162,7 @@ module traffic_modes (
   wire interval_is_5_next =
       timer_Q ? ~rung10_power_2 & ~rung10_power & ~rung9_power & ~rung8_power & turn_green_reg
       : interval_is_5;
-  wire turn_yellow_next = interval_is_5_next | blink;
+  wire turn_yellow_next = blink ? 1'b1 : interval_is_5_next;
 
   // rung 18, traffic_modes.ladder:59
   wire rung18_choice =
@@ -184,7 +184,7 @@ module traffic_modes (
   wire interval_is_10_next =
       timer_Q ? ~rung10_power_2 & (rung10_power | ~rung9_power & ~rung8_power & rung1_equal_3)
       : interval_is_10;
-  wire ew_red_next = ~interval_is_10_next & ~ew_green_next & ~ew_yellow_next | blink;
+  wire ew_red_next = blink ? 1'b1 : ~interval_is_10_next & ~ew_green_next & ~ew_yellow_next;
 
   assign ns_green = ns_green_reg;
   assign ns_yellow = ns_yellow_reg;

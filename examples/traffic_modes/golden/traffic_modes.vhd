@@ -209,7 +209,7 @@ begin
       not rung10_power_2 and not rung10_power and not rung9_power and not rung8_power
        and ns_green_reg
       when timer_Q = '1' else interval_is_2;
-  ns_yellow_next <= interval_is_2_next or blink;
+  ns_yellow_next <= '1' when blink = '1' else interval_is_2_next;
 
   -- rung 15, traffic_modes.ladder:54
   rung15_choice <=
@@ -229,7 +229,7 @@ begin
       not rung10_power_2 and not rung10_power and not rung9_power and not rung8_power
        and turn_green_reg
       when timer_Q = '1' else interval_is_5;
-  turn_yellow_next <= interval_is_5_next or blink;
+  turn_yellow_next <= '1' when blink = '1' else interval_is_5_next;
 
   -- rung 18, traffic_modes.ladder:59
   rung18_choice <=
@@ -255,7 +255,9 @@ begin
       not rung10_power_2
        and (rung10_power or (not rung9_power and not rung8_power and rung1_equal_3))
       when timer_Q = '1' else interval_is_10;
-  ew_red_next <= (not interval_is_10_next and not ew_green_next and not ew_yellow_next) or blink;
+  ew_red_next <=
+      '1' when blink = '1'
+      else not interval_is_10_next and not ew_green_next and not ew_yellow_next;
 
   ns_green <= ns_green_reg;
   ns_yellow <= ns_yellow_reg;

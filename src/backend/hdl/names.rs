@@ -23,7 +23,7 @@ use super::keywords;
 pub const MAX_LENGTH: usize = 64;
 
 /// The ports that every printed program has, in all their forms. They are fixed.
-pub const FIXED_PORTS: [&str; 6] = [CLOCK, "rst", "rst_n", TICK, SCAN_START, SCAN_DONE];
+pub const FIXED_PORTS: [&str; 6] = [CLOCK, "rst", "rst_n", SCAN_DONE, SCAN_START, TICK];
 /// The clock port.
 pub const CLOCK: &str = "clk";
 /// The port that says that a scan has the tick.

@@ -1,9 +1,10 @@
 //! Blocks: latches and edges as contacts, timers, counters and drums as functions of the processor.
 
-use super::compile::{Compiler, Done, Power, Reported};
+use super::compile::{Compiler, Done, Reported};
 use super::layout::UnitClass;
+use super::power::Power;
 use super::tree::Tree;
-use super::word::{Address, FIRST_COUNT, FIRST_DRUM, Operation, Prefix, TimerType, Word};
+use super::word::{Address, FIRST_COUNT, FIRST_DRUM, Operation, Prefix, TimerType};
 use crate::model::{
     ArgumentValue, Call, Edge, Element, ExprKind, Instance, InstanceId, VariableId,
 };
@@ -13,29 +14,30 @@ use crate::types::Type;
 const LARGEST_TIME: i64 = 9999;
 
 /// A function with its operands, once they have registers.
-struct Function {
-    operation: Operation,
-    unit: u16,
-    timer: TimerType,
-    preset: u16,
-    /// The number of taps of a drum.
-    taps: Option<u16>,
-    coil: Address,
+pub(super) struct Function {
+    pub operation: Operation,
+    pub unit: u16,
+    pub timer: TimerType,
+    /// That of the preset, or the first of those that are shifted.
+    pub register: u16,
+    /// Of the taps of a drum, or of the registers that are shifted.
+    pub number: Option<u16>,
+    pub coil: Address,
 }
 
 impl Compiler<'_> {
-    fn instance(&self, id: InstanceId) -> &Instance {
+    pub(super) fn instance(&self, id: InstanceId) -> &Instance {
         &self.program.instances[id]
     }
 
     /// The variable of a port, if the block has it.
-    fn port(&self, id: InstanceId, port: &str) -> Option<VariableId> {
+    pub(super) fn port(&self, id: InstanceId, port: &str) -> Option<VariableId> {
         let instance = self.instance(id);
         instance.shape.port_named(port).map(|port| instance.members[port])
     }
 
     /// The variable of a port that the block has.
-    fn member(&self, id: InstanceId, port: &str) -> VariableId {
+    pub(super) fn member(&self, id: InstanceId, port: &str) -> VariableId {
         self.port(id, port).expect("the block has this port")
     }
 
@@ -46,14 +48,14 @@ impl Compiler<'_> {
         let own: &[&str] = match kind {
             "R_TRIG" | "F_TRIG" => &["Q", "was"],
             "SR" | "RS" | "TON" | "TOF" | "TP" | "TS" | "TT" | "T1_0" | "T0_1" | "UC" | "DC"
-            | "DRUM" => &["Q"],
+            | "DRUM" | "SHL" | "SHR" => &["Q"],
             // The call will be reported.
             _ => return Ok(()),
         };
         let (class, count, first) = match kind {
             "DRUM" => (Some(UnitClass::Drum), "ACC", FIRST_DRUM),
             "TON" | "TOF" | "TP" => (Some(UnitClass::Timer), "ET", FIRST_COUNT),
-            "R_TRIG" | "F_TRIG" | "SR" | "RS" => (None, "", 0),
+            "R_TRIG" | "F_TRIG" | "SR" | "RS" | "SHL" | "SHR" => (None, "", 0),
             _ => (Some(UnitClass::Timer), "ACC", FIRST_COUNT),
         };
         let name = self.instance(id).name.clone();
@@ -66,7 +68,7 @@ impl Compiler<'_> {
             .chain(taps)
             .filter_map(|port| self.port(id, &port).map(|member| (member, named(&port))))
             .collect();
-        for port in ["QN", "EN", "R", "R1"] {
+        for port in ["QN", "EN", "R", "R1", "DATA"] {
             let member = self.port(id, port).filter(|member| self.named.contains(member));
             flags.extend(member.map(|member| (member, named(port))));
         }
@@ -86,7 +88,7 @@ impl Compiler<'_> {
     }
 
     /// The flag of an output that was prepared.
-    fn output_flag(&self, id: InstanceId, port: &str) -> Done<Address> {
+    pub(super) fn output_flag(&self, id: InstanceId, port: &str) -> Done<Address> {
         // Where there was no flag left, that has been reported.
         self.address(self.member(id, port)).ok_or(Reported)
     }
@@ -107,6 +109,8 @@ impl Compiler<'_> {
             "UC" => self.function(call, power, Operation::CountUp)?,
             "DC" => self.function(call, power, Operation::CountDown)?,
             "DRUM" => self.function(call, power, Operation::Drum)?,
+            "SHL" => self.shift(call, power, Operation::ShiftLeft)?,
+            "SHR" => self.shift(call, power, Operation::ShiftRight)?,
             kind => {
                 let span = self.instance(call.instance).span;
                 let label = format!("of the kind {kind}");
@@ -116,24 +120,9 @@ impl Compiler<'_> {
         Ok(Power::Drawn(Tree::on(q)))
     }
 
-    /// Puts outputs of a block back, where that is a matter of a bit.
-    pub(super) fn reset_instance(&mut self, id: InstanceId, power: Power) -> Done<Power> {
-        let (kind, span) = (self.instance(id).shape.block.name, self.instance(id).span);
-        match kind {
-            "R_TRIG" | "F_TRIG" | "SR" | "RS" => {
-                let coil = self.output_flag(id, "Q")?;
-                self.write(power, Operation::Reset, coil)
-            }
-            _ => {
-                let what = format!("a reset coil on the block {kind}");
-                Err(self.cannot(span, &what, "a coil resets this block"))
-            }
-        }
-    }
-
     /// The contacts of a `BOOL` parameter: those of the call, or the member that the program
     /// writes. Nothing if it keeps its start.
-    fn circuit_argument(&mut self, call: &Call, port: &str) -> Done<Option<Tree>> {
+    pub(super) fn circuit_argument(&mut self, call: &Call, port: &str) -> Done<Option<Tree>> {
         let index = call.shape.port_named(port);
         let given = call.arguments.iter().find(|argument| Some(argument.port) == index);
         match given.map(|argument| &argument.value) {
@@ -191,8 +180,10 @@ impl Compiler<'_> {
         };
         let preset = self.iec_preset(call)?;
         if preset == 0 && timer == TimerType::OnDelay {
-            let label = "its PT is 0: it passes the power on";
-            return Err(self.cannot(span, "the block TON without a delay", label));
+            // It passes the power on.
+            let coil = self.output_flag(call.instance, "Q")?;
+            self.output(&power, Operation::Coil, coil)?;
+            return Ok(coil);
         }
         let preset = self.constant_register(call.instance, "PT", preset)?;
         let function = self.operands(call, operation, timer, preset, None)?;
@@ -254,8 +245,8 @@ impl Compiler<'_> {
         call: &Call,
         operation: Operation,
         timer: TimerType,
-        preset: u16,
-        taps: Option<u16>,
+        register: u16,
+        number: Option<u16>,
     ) -> Done<Function> {
         let (count, first) = match operation {
             Operation::Drum => ("ACC", FIRST_DRUM),
@@ -264,7 +255,7 @@ impl Compiler<'_> {
         };
         let count = self.layout.register(self.member(call.instance, count)).ok_or(Reported)?;
         let coil = self.output_flag(call.instance, "Q")?;
-        Ok(Function { operation, unit: count - first, timer, preset, taps, coil })
+        Ok(Function { operation, unit: count - first, timer, register, number, coil })
     }
 
     /// The register of the preset; that of a drum is followed by those of its taps.
@@ -322,13 +313,13 @@ impl Compiler<'_> {
     }
 
     /// Latched circuits, then the prefixes and the operation.
-    fn run(&mut self, function: &Function) {
-        let Function { operation, unit, timer, preset, taps, coil } = *function;
+    pub(super) fn run(&mut self, function: &Function) {
+        let Function { operation, unit, timer, register, number, coil } = *function;
         self.prefix(Prefix::Unit { unit, timer });
-        self.prefix(Prefix::Register(preset));
-        if let Some(taps) = taps {
-            self.prefix(Prefix::Number(taps));
+        self.prefix(Prefix::Register(register));
+        if let Some(number) = number {
+            self.prefix(Prefix::Number(number));
         }
-        self.word(Word::Output { operation, coil });
+        self.operation(operation, coil);
     }
 }

@@ -1,6 +1,7 @@
 //! Expressions of bits as contacts, and assignments to bits.
 
-use super::compile::{Compiler, Done, Power};
+use super::compile::{Compiler, Done};
+use super::power::Power;
 use super::tree::{Contact, Tree};
 use super::word::{ONE, Operation};
 use crate::model::{BinaryOp, Expr, ExprKind, Relation, VariableId};

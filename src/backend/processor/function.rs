@@ -185,8 +185,8 @@ impl Functions {
                 if before.runs {
                     new = counted;
                     unit.runs = new < preset;
-                } else if power && !before.was && preset > 0 {
-                    (new, unit.runs) = (0, true);
+                } else if power && !before.was {
+                    (new, unit.runs) = (0, preset > 0);
                 }
                 if !unit.runs && !power {
                     new = 0;
@@ -203,7 +203,7 @@ impl Functions {
         let old = self.registers[count];
         let new = match self.enable {
             false => 0,
-            true => old + u16::from(rises && old < LARGEST_COUNT),
+            true => old.wrapping_add(u16::from(rises && old != LARGEST_COUNT)),
         };
         self.registers[count] = new;
         let coil = new >= self.preset(LARGEST_COUNT);
@@ -236,7 +236,7 @@ impl Functions {
         let old = self.registers[count];
         let new = match self.enable {
             false => 0,
-            true => old + u16::from(rises && old < LARGEST_STEP),
+            true => old.wrapping_add(u16::from(rises && old != LARGEST_STEP)),
         };
         self.registers[count] = new;
         let tap = |tap: u16| new >= self.registers[usize::from(self.register + 1 + tap)];
@@ -259,8 +259,10 @@ impl Functions {
         let unit = &mut self.shifts[self.unit];
         let rises = power && !unit.was;
         unit.was = power;
-        let first = usize::from(self.register);
-        let registers = &mut self.registers[first..first + usize::from(self.number)];
+        // It begins at the end where the serial data enters.
+        let (begin, count) = (usize::from(self.register), usize::from(self.number));
+        let first = if left { begin } else { begin + 1 - count };
+        let registers = &mut self.registers[first..first + count];
         if !self.enable {
             registers.fill(0);
             return Outcome { coil: Some(false), ..Outcome::default() };
@@ -291,10 +293,10 @@ pub(super) fn clocks(operation: Operation, number: u16) -> u64 {
         Operation::TimerSeconds
         | Operation::TimerTenths
         | Operation::CountUp
-        | Operation::CountDown => 3,
-        Operation::Drum => 3 + u64::from(number),
+        | Operation::CountDown => 7,
+        Operation::Drum => 7 + u64::from(number),
         Operation::BitSet | Operation::BitClear => 2,
-        Operation::ShiftLeft | Operation::ShiftRight => 1 + 2 * u64::from(number),
+        Operation::ShiftLeft | Operation::ShiftRight => 2 * u64::from(number),
         Operation::Coil
         | Operation::Set
         | Operation::Reset

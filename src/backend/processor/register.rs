@@ -1,9 +1,12 @@
-//! Numbers and words in registers, and coils and contacts on their bits.
+//! Numbers and words in registers: coils and contacts on their bits, and shifts.
 
-use super::compile::{Compiler, Done, Power};
+use super::call::Function;
+use super::compile::{Compiler, Done};
+use super::layout::UnitClass;
+use super::power::Power;
 use super::tree::{Contact, Tree};
-use super::word::{Address, Operation, Prefix};
-use crate::model::{Base, CoilAction, Place, VariableId};
+use super::word::{Address, Operation, Prefix, TimerType};
+use crate::model::{Base, Call, CoilAction, Place, Variable, VariableId};
 use crate::source::Span;
 
 impl Compiler<'_> {
@@ -12,20 +15,60 @@ impl Compiler<'_> {
         if let Some(register) = self.layout.register(variable) {
             return Ok(register);
         }
-        let declared = &self.program.variables[variable];
-        let (name, ty) = (declared.name.to_string(), declared.ty);
-        let initial = ty.bits(declared.initial);
+        let program = self.program;
+        let Variable { name, ty, .. } = &program.variables[variable];
         if ty.width() != 16 {
             let label = format!("`{name}` is {ty}");
             return Err(self.cannot(span, "registers that are not 16 bits wide", label));
         }
-        let register = self.layout.words(&[name], span);
-        let register = self.limit(register)?;
-        self.layout.place(variable, register);
-        if initial != 0 {
-            self.rom.registers.insert(register, initial as u16);
+        // A shift may want the elements of an array one behind the other.
+        let words: Vec<VariableId> = match program.array_of(variable) {
+            Some(array) => program.arrays[array].elements.iter().collect(),
+            None => vec![variable],
+        };
+        let names: Vec<String> =
+            words.iter().map(|&word| program.variables[word].name.to_string()).collect();
+        let first = self.layout.words(&names, span);
+        let first = self.limit(first)?;
+        for (register, &word) in (first..).zip(&words) {
+            self.layout.place(word, register);
+            let initial = ty.bits(program.variables[word].initial);
+            if initial != 0 {
+                self.rom.registers.insert(register, initial as u16);
+            }
         }
-        Ok(register)
+        Ok(self.layout.register(variable).expect("it was placed"))
+    }
+
+    /// Shifts a word or the words of an array.
+    pub(super) fn shift(
+        &mut self,
+        call: &Call,
+        power: Tree,
+        operation: Operation,
+    ) -> Done<Address> {
+        let span = self.instance(call.instance).span;
+        let first = self.number(self.member(call.instance, "REG0"), span)?;
+        let words = call.shape.list("REG").len() as u16;
+        let register = match operation {
+            Operation::ShiftLeft => first,
+            _ => first + words - 1,
+        };
+        let unit = self.layout.unit(UnitClass::Shift, span);
+        let unit = self.limit(unit)?;
+        let coil = self.output_flag(call.instance, "Q")?;
+        // Looking at a bit of a register is a function too, which would use up what is latched.
+        let enable = self.circuit_argument(call, "EN")?;
+        let serial = self.circuit_argument(call, "DATA")?;
+        for (latched, prefix) in [(enable, Prefix::Enable), (serial, Prefix::Serial)] {
+            let Some(tree) = latched else { continue };
+            self.circuit(&tree)?;
+            self.prefix(prefix);
+        }
+        self.circuit(&power)?;
+        let timer = TimerType::OffDelay;
+        self.run(&Function { operation, unit, timer, register, number: Some(words), coil });
+        Ok(coil)
     }
 
     /// The address of a bit that a contact looks at. That of a register is shown in a flag: no

@@ -227,8 +227,13 @@ impl Check {
         if !numbers.contains(&number) {
             return self.fault(FaultKind::Unfit("NUMBER", number));
         }
-        let last = register + if class == 1 { number } else { number.max(1) - 1 };
-        let ends_outside = class < 3 && usize::from(last) >= REGISTERS;
+        let last = match operation {
+            Operation::Drum => register.checked_add(number),
+            Operation::ShiftLeft => register.checked_add(number - 1),
+            Operation::ShiftRight => register.checked_sub(number - 1),
+            _ => Some(register),
+        };
+        let ends_outside = last.is_none_or(|last| usize::from(last) >= REGISTERS);
         if ends_outside || (class == 1 && coil + number >= ONE) {
             self.fault(FaultKind::OverTheEnd);
         }

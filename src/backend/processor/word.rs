@@ -189,7 +189,8 @@ pub enum Prefix {
         /// What a timer does; [`TimerType::OffDelay`] elsewhere.
         timer: TimerType,
     },
-    /// A register: the preset, the first of those that are shifted, the one with the bit.
+    /// A register: the preset; of those that are shifted the one where the serial data enters, the
+    /// low word to the left and the high word to the right; the one with the bit.
     Register(u16),
     /// A number: of taps, of cascaded registers, or of the bit.
     Number(u16),

@@ -7,11 +7,14 @@
 mod ahead;
 mod family;
 mod fit;
+mod inside;
 mod merge;
 mod narrow;
+mod place;
 mod ports;
 mod rebuild;
 mod saturate;
+mod share;
 
 use super::{Circuit, Design};
 use ports::Shown;
@@ -28,12 +31,17 @@ const PASSES: &[Pass] = &[
     narrow::narrow,
     ahead::compare_ahead,
     merge::merge,
+    share::share,
 ];
 
 /// Fits the modules of a design to their instances and makes every circuit small. Behaviour at the
 /// top's ports stays the same.
 pub fn simplify(design: Design) -> Design {
-    let fitted = fit::fit(design);
+    let mut fitted = fit::fit(design);
+    if let Some(inside) = inside::compare_inside(&fitted) {
+        // The words that need not leave any more go.
+        fitted = fit::fit(inside);
+    }
     let mut circuits: Vec<Circuit> = fitted.modules.into_iter().map(|(_, module)| module).collect();
     let top = circuits.pop().expect("a design has a top");
     if circuits.is_empty() {

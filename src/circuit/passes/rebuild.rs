@@ -12,9 +12,9 @@ pub struct Rebuild<'c> {
     pub to: Circuit,
     nets: Vec<Net>,
     registers: Vec<Option<RegisterId>>,
-    /// New registers, and the net of the circuit that is copied that each takes, and what enables
-    /// it.
-    new: Vec<(RegisterId, Net, Option<Net>)>,
+    /// New registers, the net of the circuit that is copied that each takes, maybe inverted, and
+    /// what enables it.
+    new: Vec<(RegisterId, Net, bool, Option<Net>)>,
 }
 
 impl<'c> Rebuild<'c> {
@@ -36,11 +36,18 @@ impl<'c> Rebuild<'c> {
         net
     }
 
-    /// A new register of one bit that takes a net, which may stand behind it, whenever a register
-    /// of the circuit that is copied takes something.
-    pub fn new_register(&mut self, name: &str, reset: bool, next: Net, with: RegisterId) -> Net {
+    /// A new register of one bit that takes a net, which may stand behind it, or what it is not,
+    /// whenever a register of the circuit that is copied takes something.
+    pub fn new_register(
+        &mut self,
+        name: &str,
+        reset: bool,
+        next: Net,
+        inverted: bool,
+        with: RegisterId,
+    ) -> Net {
         let (id, net) = self.to.register(name, 1, u64::from(reset));
-        self.new.push((id, next, self.from.registers[with].enable));
+        self.new.push((id, next, inverted, self.from.registers[with].enable));
         net
     }
 
@@ -74,8 +81,10 @@ impl<'c> Rebuild<'c> {
 
     fn finish(mut self) -> Circuit {
         let Rebuild { from, to, nets, registers, new } = &mut self;
-        for &mut (id, next, enable) in new {
-            to.drive(id, nets[index(next)]);
+        for &mut (id, next, inverted, enable) in new {
+            let next = nets[index(next)];
+            let next = if inverted { to.not(next) } else { next };
+            to.drive(id, next);
             to.registers[id].enable = enable.map(|net| nets[index(net)]);
         }
         for ((_, register), copy) in from.registers.iter().zip(registers) {

@@ -56,7 +56,7 @@ impl<'p> Explainer<'_, 'p> {
                 continue;
             };
             let detail = self.scan(at);
-            let found = self.scene(&detail).deciders_of(network, true);
+            let found = self.decided(&detail).deciders_of(network, true);
             causes.extend(found.into_iter().map(|site| self.decider(site, at, depth)));
         }
         Cause { reason: Reason::Call(self.place(&by), power), causes, ..cause }

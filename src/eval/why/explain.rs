@@ -3,10 +3,11 @@
 use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
 
-use super::power::Scene;
+use super::power::Decided;
 use super::sites::Site;
 use super::{Cause, Place, Reason, Subject, Why};
 use crate::eval::recorder::Recording;
+use crate::eval::scene::Scene;
 use crate::model::{self, CoilAction, Edge, Element, Expr, Role, Variable, VariableId};
 use crate::source::Span;
 use crate::types::Type;
@@ -50,11 +51,15 @@ impl<'w, 'p> Explainer<'w, 'p> {
         made
     }
 
-    pub(super) fn scene<'a>(&self, scan: &'a Scan) -> Scene<'a, 'p>
+    pub(super) fn scene<'a>(&self, scan: &'a Scan) -> Scene<'a> {
+        Scene { recording: &scan.recording, start: &scan.start }
+    }
+
+    pub(super) fn decided<'a>(&self, scan: &'a Scan) -> Decided<'a, 'p>
     where
         'w: 'a,
     {
-        Scene { sites: &self.why.sites, recording: &scan.recording, start: &scan.start }
+        Decided { sites: &self.why.sites, scene: self.scene(scan) }
     }
 
     /// Why a variable is what it is in a scan when so much has been written, or at its end.
@@ -225,7 +230,7 @@ impl<'w, 'p> Explainer<'w, 'p> {
     /// What decides the power in front of an element.
     pub(super) fn deciders(&mut self, site: Site<'p>, scan: usize, depth: usize) -> Vec<Cause> {
         let detail = self.scan(scan);
-        let found = self.scene(&detail).deciders(site);
+        let found = self.decided(&detail).deciders(site);
         found.into_iter().map(|site| self.decider(site, scan, depth)).collect()
     }
 

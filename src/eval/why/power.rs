@@ -1,49 +1,21 @@
-//! What lets power pass and what stops it, within one scan.
+//! What decides the power in front of an element, within one scan.
 
 use super::sites::{Site, Sites};
-use crate::eval::recorder::Recording;
-use crate::index::index;
-use crate::model::{Connection, Edge, Element, Expr, ExprKind, Net, Place, VariableId};
+use crate::eval::scene::Scene;
+use crate::model::{Connection, Element, Net};
 
-/// One scan, seen element by element.
-pub(super) struct Scene<'a, 'p> {
+/// One scan, and where its elements stand.
+pub(super) struct Decided<'a, 'p> {
     pub(super) sites: &'a Sites<'p>,
-    pub(super) recording: &'a Recording,
-    /// What every variable held when the scan began.
-    pub(super) start: &'a [i64],
+    pub(super) scene: Scene<'a>,
 }
 
-impl<'p> Scene<'_, 'p> {
-    /// What a variable held when so much had been written in the scan.
-    pub(super) fn value(&self, variable: VariableId, until: usize) -> i64 {
-        match self.recording.last_write(variable, until) {
-            Some(write) => self.recording.writes[write].value,
-            None => self.start[index(variable)],
-        }
-    }
-
-    /// The variables that an expression reads when so much has been written: of an array the
-    /// elements that are meant then.
-    pub(super) fn variables(&self, expr: &Expr, until: usize, read: &mut Vec<VariableId>) {
-        match &expr.kind {
-            ExprKind::Read(place) => self.variables_of(place, until, read),
-            _ => expr.parts().into_iter().for_each(|part| self.variables(part, until, read)),
-        }
-    }
-
-    /// The variable of a place, and those of its index.
-    pub(super) fn variables_of(&self, place: &Place, until: usize, read: &mut Vec<VariableId>) {
-        read.extend(place.variable(&|variable| self.value(variable, until)));
-        if let Some(index) = place.index() {
-            self.variables(index, until, read);
-        }
-    }
-
+impl<'p> Decided<'_, 'p> {
     /// The elements that decide the power in front of an element: those that conduct if there is
     /// power, else those that do not. A block, a one-shot or an inverter decides alone for all
     /// that stands before it.
     pub(super) fn deciders(&self, site: Site<'p>) -> Vec<Site<'p>> {
-        let power = self.recording.visit(site.element).power;
+        let power = self.scene.recording.visit(site.element).power;
         let mut found = Vec::new();
         self.before(site, power, &mut found);
         found
@@ -60,7 +32,7 @@ impl<'p> Scene<'_, 'p> {
         let ended = self.within(&site.series[..site.index], power, found);
         if let (false, Some(list)) = (ended, site.list) {
             let list = self.sites.get(list);
-            if self.recording.visit(list.element).power == power {
+            if self.scene.recording.visit(list.element).power == power {
                 self.before(list, power, found);
             }
         }
@@ -68,17 +40,17 @@ impl<'p> Scene<'_, 'p> {
 
     /// Adds the deciders of a part of a series, in text order; true if one of them decides alone.
     fn within(&self, part: &'p [Element], power: bool, found: &mut Vec<Site<'p>>) -> bool {
-        let first = part.iter().rposition(|element| self.makes_power(element));
+        let first = part.iter().rposition(|element| self.scene.makes_power(element));
         for element in &part[first.unwrap_or(0)..] {
-            if self.is_passed(element) || self.conducts(element) != power {
+            if self.scene.is_passed(element) || self.scene.conducts(element) != power {
                 continue;
             }
             match element {
                 Element::Parallel(branches) if power => {
-                    let by_power = self.recording.visit(element).out;
+                    let by_power = self.scene.recording.visit(element).out;
                     let leads = |branch: &&'p Vec<Element>| match branch.last() {
-                        Some(last) if by_power => self.recording.visit(last).out,
-                        _ => self.series_conducts(branch),
+                        Some(last) if by_power => self.scene.recording.visit(last).out,
+                        _ => self.scene.series_conducts(branch),
                     };
                     if let Some(branch) = branches.iter().find(leads) {
                         self.within(branch, power, found);
@@ -105,67 +77,13 @@ impl<'p> Scene<'_, 'p> {
         first.is_some()
     }
 
-    /// True if an element lets power pass, or has power behind it where it makes its own.
-    pub(super) fn conducts(&self, element: &'p Element) -> bool {
-        let visit = self.recording.visit(element);
-        match element {
-            Element::Constant(value) => *value,
-            Element::Contact { place, negated, .. } => {
-                (place.value(&|v| self.value(v, visit.start)) != 0) != *negated
-            }
-            Element::Edge { place, edge, memory } => {
-                let now = place.value(&|v| self.value(v, visit.start)) != 0;
-                let before = self.value(*memory, visit.start) != 0;
-                match edge {
-                    Edge::Rise => now && !before,
-                    Edge::Fall => before && !now,
-                }
-            }
-            Element::Compare(expr, _) => expr.value(&|v| self.value(v, visit.start)) != 0,
-            Element::Parallel(branches) => {
-                visit.out || branches.iter().any(|branch| self.series_conducts(branch))
-            }
-            Element::Net(net) => self.powered(net)[Net::RIGHT],
-            Element::OneShot { .. } | Element::Invert | Element::Call(_) => visit.out,
-            Element::Coil { .. } | Element::ResetInstance(_) | Element::Assign { .. } => true,
-        }
-    }
-
-    fn series_conducts(&self, series: &'p [Element]) -> bool {
-        let first = series.iter().rposition(|element| self.makes_power(element)).unwrap_or(0);
-        series[first..].iter().all(|element| self.is_passed(element) || self.conducts(element))
-    }
-
-    /// The nodes of a network to which a conducting path leads.
-    fn powered(&self, net: &'p Net) -> Vec<bool> {
-        let mut powered = vec![false; net.nodes.len()];
-        powered[Net::LEFT] = true;
-        while let Some((_, _, to)) = self.next_way(net, &powered, true) {
-            powered[to] = true;
-        }
-        powered
-    }
-
-    /// A way from a node with power to one without, over a connection that conducts or not.
-    fn next_way(
-        &self,
-        net: &'p Net,
-        powered: &[bool],
-        conducts: bool,
-    ) -> Option<(&'p Connection, usize, usize)> {
-        let ways = net.connections.iter().flat_map(|c| c.ways().map(move |(a, b)| (c, a, b)));
-        ways.into_iter().find(|&(connection, from, to)| {
-            powered[from] && !powered[to] && self.series_conducts(&connection.network) == conducts
-        })
-    }
-
     /// With power, a path that conducts; without, the connections that would lead on from where
     /// the power has come to.
     fn net(&self, net: &'p Net, power: bool, found: &mut Vec<Site<'p>>) {
         let mut powered = vec![false; net.nodes.len()];
         powered[Net::LEFT] = true;
         let mut came_over: Vec<Option<(&'p Connection, usize)>> = vec![None; net.nodes.len()];
-        while let Some((connection, from, to)) = self.next_way(net, &powered, true) {
+        while let Some((connection, from, to)) = self.scene.next_way(net, &powered, true) {
             powered[to] = true;
             came_over[to] = Some((connection, from));
         }
@@ -187,39 +105,6 @@ impl<'p> Scene<'_, 'p> {
             if connection.ways().any(leads_on) {
                 self.within(&connection.network, false, found);
             }
-        }
-    }
-
-    /// True for what has power behind it for reasons of its own.
-    fn makes_power(&self, element: &Element) -> bool {
-        match element {
-            Element::OneShot { .. } | Element::Invert => true,
-            Element::Call(call) => call.shape.main_port().is_some(),
-            Element::Constant(_)
-            | Element::Contact { .. }
-            | Element::Edge { .. }
-            | Element::Parallel(_)
-            | Element::Net(_)
-            | Element::Compare(..)
-            | Element::Coil { .. }
-            | Element::ResetInstance(_)
-            | Element::Assign { .. } => false,
-        }
-    }
-
-    /// True for what passes the power on as it comes.
-    fn is_passed(&self, element: &Element) -> bool {
-        match element {
-            Element::Coil { .. } | Element::ResetInstance(_) | Element::Assign { .. } => true,
-            Element::Call(_) => !self.makes_power(element),
-            Element::Constant(_)
-            | Element::Contact { .. }
-            | Element::Edge { .. }
-            | Element::Parallel(_)
-            | Element::Net(_)
-            | Element::Compare(..)
-            | Element::OneShot { .. }
-            | Element::Invert => false,
         }
     }
 }

@@ -1,0 +1,107 @@
+//! Many random programs in one run of a simulator.
+
+use std::fmt::Write;
+use std::fs;
+use std::path::Path;
+
+use fastrand::Rng;
+use hotrail::backend::hdl::{self, Language, Options, ResetStyle};
+use hotrail::circuit::{Design, Valid};
+use hotrail::eval::Evaluator;
+use hotrail::expand;
+use hotrail::model::{Program, Role, VariableId};
+
+use super::bench::{self, Bench};
+use super::lockstep::inner_variables;
+use super::{analyze, generate};
+
+const RESETS: [ResetStyle; 3] = [ResetStyle::SyncHigh, ResetStyle::SyncLow, ResetStyle::AsyncLow];
+
+/// A program as hardware, what drives it and what it has to show.
+struct Subject {
+    design: Valid<Design>,
+    options: Options,
+    rows: Vec<Vec<u64>>,
+    meant: String,
+}
+
+/// Runs the programs of these seeds for that many scans on random inputs and ticks in the simulator of
+/// a language, all that has a name shown: for each what is wrong. Nothing if the tool is missing.
+///
+/// # Panics
+/// If the tool refuses one of them.
+pub fn simulate(language: Language, seeds: &[u64], scans: usize) -> Option<Vec<Option<String>>> {
+    let subjects: Vec<Subject> = seeds.iter().map(|&seed| subject(seed, scans)).collect();
+    let folder = tempfile::tempdir().expect("can make a folder");
+    let ending = if language == Language::Verilog { "v" } else { "vhd" };
+    let files: Vec<String> = seeds.iter().map(|seed| format!("random_{seed}.{ending}")).collect();
+    for (subject, file) in subjects.iter().zip(&files) {
+        write(&folder.path().join(file), subject, language);
+    }
+    let files: Vec<&str> = files.iter().map(String::as_str).collect();
+    let benches: Vec<Bench> =
+        subjects.iter().map(|subject| Bench::of_core(&subject.design, &subject.options)).collect();
+    let driven: Vec<(&Bench, &[Vec<u64>])> =
+        benches.iter().zip(&subjects).map(|(bench, subject)| (bench, &subject.rows[..])).collect();
+    let shown = bench::run_all(language, folder.path(), &files, &driven)?;
+    let compare = |(subject, shown): (&Subject, &String)| first_difference(&subject.meant, shown);
+    Some(subjects.iter().zip(&shown).map(compare).collect())
+}
+
+fn write(path: &Path, subject: &Subject, language: Language) {
+    fs::write(path, hdl::print(&subject.design, language, &subject.options)).expect("can write");
+}
+
+fn first_difference(meant: &str, shown: &str) -> Option<String> {
+    let lines = meant.lines().zip(shown.lines()).enumerate();
+    let wrong = lines.into_iter().find(|(_, (meant, shown))| meant != shown);
+    match wrong {
+        Some((scan, (meant, shown))) => Some(format!("after {scan} scans {shown}, meant {meant}")),
+        None if meant.lines().count() != shown.lines().count() => Some("lines are missing".into()),
+        None => None,
+    }
+}
+
+fn subject(seed: u64, scans: usize) -> Subject {
+    let text = generate::program(seed);
+    let program = analyze("random.ladder", &text).unwrap_or_else(|findings| panic!("{findings}"));
+    let options =
+        expand::Options { observe: inner_variables(&program), ..expand::Options::default() };
+    let design = hotrail::compile(&program, &options);
+    let outputs: Vec<VariableId> = design
+        .top()
+        .outputs
+        .iter()
+        .map(|output| program.variable_named(&output.name).expect("ports bear user's names"))
+        .collect();
+    let mut random = Rng::with_seed(seed);
+    let mut evaluator = Evaluator::new(&program);
+    let (mut rows, mut meant) = (Vec::new(), String::new());
+    for _ in 0..=scans {
+        // Outputs are registers: before the clock they show the scan before.
+        for &output in &outputs {
+            let ty = program.variables[output].ty;
+            let width = ty.width() as usize;
+            write!(meant, "{:0width$b} ", ty.bits(evaluator.value(output))).expect("fits");
+        }
+        meant.push('\n');
+        rows.push(drive(&program, &mut evaluator, &mut random));
+    }
+    let reset = RESETS[(seed % 3) as usize];
+    Subject { design, options: Options { reset, ..Options::default() }, rows, meant }
+}
+
+/// Drives some inputs at random and runs a scan; the values of the hardware's ports.
+fn drive(program: &Program, evaluator: &mut Evaluator<'_>, random: &mut Rng) -> Vec<u64> {
+    let tick = random.bool();
+    let mut row = vec![u64::from(tick)];
+    for (input, variable) in program.with_role(Role::Input) {
+        if random.u8(..3) == 0 {
+            let value = if random.bool() { random.i64(-3..4) } else { random.i64(..) };
+            evaluator.drive(input, variable.ty.wrap(value));
+        }
+        row.push(variable.ty.bits(evaluator.value(input)));
+    }
+    evaluator.scan(tick);
+    row
+}
