@@ -226,6 +226,20 @@ fn a_scan_that_takes_longer_than_a_tick_is_refused() {
 }
 
 #[test]
+fn the_longest_chain_is_held_against_the_clock_of_the_board() {
+    let folder = Folder::new();
+    let rung = "rung { a + b - 1 > b + b } (y)";
+    folder.write("sums.ladder", &format!("ladder sums  input a, b : DINT  output y  {rung}"));
+    let notes = |more: &[&str]| {
+        let build = folder.run(&[&["build", "sums.ladder", "-o", "out"], more].concat());
+        build.err.contains("W0311")
+    };
+    assert!(!notes(&[]));
+    assert!(notes(&["--clock", "100MHz"]));
+    assert!(!notes(&["--clock", "100MHz", "--schedule", "levels"]));
+}
+
+#[test]
 fn another_order_is_remarked_and_obeyed() {
     let folder = Folder::new();
     folder.write(

@@ -163,6 +163,11 @@ fn compile(
     report: &mut Report,
 ) -> anyhow::Result<Option<Vec<Artifact>>> {
     let mut lints = options.lints.options();
+    lints.clock_hz = options.clock;
+    if options.schedule != Schedule::Flat {
+        // The chain is that of a scan in one clock.
+        lints.allow.push(code::LONG_CHAIN);
+    }
     if options.order == Order::Dataflow {
         // No order of the text is asked for.
         lints.allow.push(code::READ_ABOVE);

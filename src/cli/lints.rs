@@ -31,6 +31,7 @@ impl Lints {
             off: false,
             allow: self.allow.clone(),
             deny: self.deny.iter().filter_map(one).collect(),
+            clock_hz: None,
             deny_warnings: self.deny.iter().any(|denied| matches!(denied, Denied::Warnings)),
         }
     }

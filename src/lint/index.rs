@@ -92,6 +92,8 @@ pub(super) struct Size {
 /// Everything that rules ask for. All lists are in text order, which is execution order.
 pub(super) struct Index<'p> {
     pub program: &'p Program,
+    /// Frequency of the board's clock in Hz.
+    pub clock_hz: u64,
     pub reads: Vec<Read>,
     pub writes: Vec<Write>,
     pub comparisons: Vec<Comparison<'p>>,
@@ -116,7 +118,7 @@ pub(super) struct Index<'p> {
 }
 
 impl<'p> Index<'p> {
-    pub fn new(program: &'p Program) -> Self {
+    pub fn new(program: &'p Program, clock_hz: u64) -> Self {
         let mut walk = Walk::new(program);
         let mut sizes = Vec::with_capacity(program.rungs.len());
         let mut rungs = vec![(0, 0)];
@@ -148,6 +150,7 @@ impl<'p> Index<'p> {
         }
         Index {
             program,
+            clock_hz,
             reads,
             writes,
             divisions,

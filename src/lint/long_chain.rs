@@ -9,7 +9,7 @@ use crate::equations::{self, Chain};
 pub(super) fn check(index: &Index, found: &mut Vec<Diagnostic>) {
     let program = index.program;
     let chain = Chain::new(program, &equations::lower(program));
-    let clock_ns = 1_000_000_000 / program.clock_hz;
+    let clock_ns = 1_000_000_000 / index.clock_hz;
     let [fast_ns, slow_ns] = chain.ns();
     let (Some(&first), Some(&last)) = (chain.rungs.first(), chain.rungs.last()) else { return };
     if fast_ns <= clock_ns {
@@ -25,7 +25,7 @@ pub(super) fn check(index: &Index, found: &mut Vec<Diagnostic>) {
     }
     found.push(diagnostic.help(format!(
         "a fast small FPGA takes some {fast_ns} ns for it, a slow one {slow_ns} ns, and the clock \
-         leaves {clock_ns} ns: try it with your tools, declare a slower clock, or let a rung read \
-         the scan before"
+         leaves {clock_ns} ns: try it with your tools, declare a slower clock, build with \
+         --schedule levels, or let a rung read the scan before"
     )));
 }

@@ -39,6 +39,8 @@ pub struct Options {
     pub deny: Vec<Code>,
     /// All warnings are errors; notes stay what they are.
     pub deny_warnings: bool,
+    /// Frequency of the board's clock in Hz, instead of the program's own.
+    pub clock_hz: Option<u64>,
 }
 
 /// Tells what it finds.
@@ -71,7 +73,7 @@ pub fn check(
         return Vec::new();
     }
     let mut found = Vec::new();
-    let index = Index::new(program);
+    let index = Index::new(program, options.clock_hz.unwrap_or(program.clock_hz));
     // Without rungs nothing is used, which is one cause of much.
     if !no_rungs::check(file, &mut found) {
         RULES.iter().for_each(|rule| rule(&index, &mut found));
