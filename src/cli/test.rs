@@ -15,6 +15,7 @@ use hotrail::model::{Program, Role, Test, VariableId};
 use hotrail::source::Source;
 
 use super::dump;
+use super::order::Order;
 use super::pictures;
 use super::report::Report;
 use super::schedule::Schedule;
@@ -28,6 +29,7 @@ use super::{Sources, Verdict};
 Examples:
   hotrail test conveyor.ladder
   hotrail test conveyor.ladder --on evaluator,processor,icarus,ghdl --filter emergency
+  hotrail test conveyor.ladder --on icarus,ghdl --schedule levels
   hotrail test conveyor.ladder --vcd waves
   hotrail test conveyor.ladder --filter emergency --svg pictures")]
 pub struct Options {
@@ -39,6 +41,9 @@ pub struct Options {
     /// In which clocks of a scan the rungs act in the emitted HDL
     #[arg(long, value_enum, default_value_t = Schedule::Flat)]
     schedule: Schedule,
+    /// In which order the rungs act
+    #[arg(long, value_enum, default_value_t = Order::Text)]
+    order: Order,
     /// Run only tests whose title contains this text
     #[arg(long, value_name = "TEXT", default_value = "")]
     filter: String,
@@ -87,6 +92,7 @@ pub fn run(options: &Options, report: &mut Report) -> anyhow::Result<Verdict> {
             verdict = Verdict::Bad;
             continue;
         };
+        report.reorder(path, &mut program, options.order);
         let before = program.tests.len();
         program.retain_tests(|test| test.title.contains(&options.filter));
         let filtered_out = before - program.tests.len();

@@ -239,7 +239,11 @@ impl<'w, 'p> Explainer<'w, 'p> {
     pub(super) fn decider(&mut self, site: Site<'p>, scan: usize, depth: usize) -> Cause {
         let detail = self.scan(scan);
         let visit = detail.recording.visit(site.element);
-        let looked = Looked { scan, rung: site.rung + 1, element: site.number };
+        let looked = Looked {
+            scan,
+            rung: self.why.program.rungs[site.rung].number as usize,
+            element: site.number,
+        };
         let condition = |explainer: &Self, text: String, causes| Cause {
             subject: Subject::Condition(text),
             value: explainer.scene(&detail).conducts(site.element).into(),

@@ -12,7 +12,7 @@ impl<'p> Explainer<'_, 'p> {
         let rung = &self.why.program.rungs[site.rung];
         let line = span(site.element).map_or(rung.line, |span| self.why.source.line(span.start));
         Place {
-            rung: site.rung + 1,
+            rung: rung.number as usize,
             title: rung.title.clone(),
             line,
             element: site.number,
