@@ -3,7 +3,9 @@
 use super::Evaluator;
 use super::recorder::{Recorder, Recording};
 use super::scene::Scene;
-use crate::model::{ArgumentValue, Call, Element, Expr, ExprKind, Net, Place, Program, Rung, Series};
+use crate::model::{
+    ArgumentValue, Call, Element, Expr, ExprKind, Net, Place, Program, Rung, Series,
+};
 use crate::quantity;
 use crate::types::Type;
 
