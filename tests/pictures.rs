@@ -8,7 +8,7 @@ use std::process::Command;
 use common::{examples, require_tool};
 use fastrand::Rng;
 use hotrail::draw::{Drawing, Options, Timing};
-use hotrail::eval::{Evaluator, Flow};
+use hotrail::eval::{Evaluator, Flow, Row, Why};
 use hotrail::model::{Role, VariableId};
 use hotrail::source::Source;
 
@@ -26,9 +26,9 @@ fn svg(name: &str, text: &str) -> String {
     Drawing::new(&source, &Options::default()).svg()
 }
 
-/// The ladder with the power of a scan, and the timing diagram of everything that has a name, in
-/// a run on random inputs that change now and then.
-fn of_a_run(name: &str, text: &str, seed: u64) -> [String; 2] {
+/// The ladder with the power of a scan, the timing diagram of everything that has a name, and the
+/// rungs that decided the last output, in a run on random inputs that change now and then.
+fn of_a_run(name: &str, text: &str, seed: u64) -> [String; 3] {
     let source = Source::new(name, text);
     let program = hotrail::analyze(&source).0.unwrap();
     let named: Vec<VariableId> = program.named_variables().map(|(id, _)| id).collect();
@@ -36,20 +36,31 @@ fn of_a_run(name: &str, text: &str, seed: u64) -> [String; 2] {
     let mut evaluator = Evaluator::new(&program);
     let mut timing = Timing::new(&program, &named);
     let mut flow = Flow::at_reset(&program);
+    let mut rows: Vec<(bool, Vec<(VariableId, i64)>)> = Vec::new();
     for _ in 0..8 {
+        let mut drives = Vec::new();
         for (input, variable) in program.with_role(Role::Input) {
             let (low, high) = variable.ty.range();
-            evaluator.drive(input, random.i64(low..=high));
+            drives.push((input, random.i64(low..=high)));
         }
+        drives.iter().for_each(|&(input, value)| evaluator.drive(input, value));
         for _ in 0..random.usize(1..30) {
             let tick = random.u8(0..9) > 0;
             flow = evaluator.scan_seen(tick);
             timing.scan(tick, |variable| evaluator.value(variable));
+            rows.push((tick, drives.clone()));
         }
     }
+    let all = rows.iter().map(|(tick, drives)| Row { tick: *tick, drives });
+    let why = Why::new(&program, &source, all);
+    let output = program.with_role(Role::Output).last().unwrap().0;
+    let shown = why.shown(&why.explain(output, rows.len() - 1, 12));
+    let mut decided =
+        Drawing::with_flow(&source, &Options::default(), &flow).of_explanation(&shown);
+    decided.say("why the last output is what it is");
     let drawing = Drawing::with_flow(&source, &Options::default(), &flow);
     let moment = Some("power in some scan".to_owned());
-    [Drawing { moment, ..drawing }.svg(), timing.svg()]
+    [Drawing { moment, ..drawing }.svg(), timing.svg(), decided.svg()]
 }
 
 /// What the page says of some pictures.
@@ -86,11 +97,15 @@ fn pictures_look_right_in_a_browser() {
     for (example, seed) in examples().iter().zip(1..) {
         let text = std::fs::read_to_string(&example.ladder).unwrap();
         pictures += &svg(&example.name(), &text);
-        pictures += &of_a_run(&example.name(), &text, seed).concat();
+        // Explanations look like each other: that of some examples will do.
+        let of_a_run = of_a_run(&example.name(), &text, seed);
+        let shown = if seed % 4 == 0 { 3 } else { 2 };
+        pictures += &of_a_run[..shown].concat();
     }
-    let count = 3 * (examples().len() + 1);
+    let count = pictures.matches("<svg ").count();
+    assert!(count > 3 * examples().len(), "{count}");
     for (scheme, paper, pictures, count) in
-        [(LIGHT, "rgb(255, 255, 255)", pictures, count), (DARK, "rgb(20, 24, 29)", dark, 3)]
+        [(LIGHT, "rgb(255, 255, 255)", pictures, count), (DARK, "rgb(20, 24, 29)", dark, 4)]
     {
         let lines = look(&pictures, scheme);
         assert_eq!(lines.len(), count, "{lines:#?}");
@@ -99,7 +114,7 @@ fn pictures_look_right_in_a_browser() {
             let (_, seen) = seen.split_once(": ").unwrap();
             let (texts, seen) = seen.split_once(" texts, ").unwrap();
             let (ink, on) = seen.split_once(" % ink on ").unwrap();
-            assert!(texts.parse::<u32>().unwrap() > 6, "{line}");
+            assert!(texts.parse::<u32>().unwrap() > 4, "{line}");
             assert!((1..30).contains(&ink.parse::<u32>().unwrap()), "{line}");
             assert_eq!(on, paper, "{line}");
         }

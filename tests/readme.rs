@@ -1,5 +1,6 @@
 //! What the README shows is what happens.
 
+use std::path::Path;
 use std::process::Command;
 
 use hotrail::draw::{self, Drawing, Glyphs};
@@ -33,7 +34,7 @@ fn the_main_job_runs_as_printed() {
     }
 }
 
-/// The drawing is that of the ladder in the README, the picture that of the example.
+/// The drawing is that of the ladder in the README.
 #[test]
 fn drawings_are_what_is_drawn() {
     let [ladder] = blocks("ladder")[..] else { panic!("the README shows one ladder") };
@@ -45,11 +46,45 @@ fn drawings_are_what_is_drawn() {
     assert_eq!(blocks("text"), [rungs]);
     let page = std::fs::read_to_string("docs/drawing.md").unwrap();
     assert!(page.contains(rungs), "docs/drawing.md does not show\n{rungs}");
-    let example = std::fs::read_to_string("examples/start_stop/start_stop.ladder").unwrap();
-    let picture = std::fs::read_to_string("docs/pictures/start_stop.svg").unwrap();
-    let hint = "hotrail draw examples/start_stop/start_stop.ladder --format svg -o docs/pictures";
-    let now = draw("start_stop.ladder", &example, draw::Options::default().width).svg();
-    assert!(now == picture, "the picture is out of date: {hint}");
+}
+
+/// The pictures are what the commands beside them make.
+#[cfg(unix)]
+#[test]
+fn pictures_are_what_is_drawn() {
+    let page = std::fs::read_to_string("docs/pictures/README.md").unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let examples = std::fs::canonicalize("examples").unwrap();
+    std::os::unix::fs::symlink(examples, folder.path().join("examples")).unwrap();
+    std::fs::create_dir_all(folder.path().join("docs/pictures")).unwrap();
+    let stimulus = "docs/pictures/start.csv";
+    std::fs::copy(stimulus, folder.path().join(stimulus)).unwrap();
+    let mut ran = 0;
+    for line in page.lines() {
+        let Some(arguments) = line.strip_prefix("hotrail ") else { continue };
+        let line = format!("{} {arguments}", env!("CARGO_BIN_EXE_hotrail"));
+        let run = Command::new("sh").args(["-c", &line]).current_dir(folder.path()).output();
+        assert!(run.unwrap().status.success(), "{line}");
+        ran += 1;
+    }
+    let pictures = |root: &Path| {
+        let files = std::fs::read_dir(root.join("docs/pictures")).unwrap();
+        let paths = files.map(|file| file.unwrap().path());
+        let mut pictures: Vec<(String, String)> = paths
+            .filter(|path| path.extension().is_some_and(|extension| extension == "svg"))
+            .map(|path| {
+                let name = path.file_name().unwrap().to_str().unwrap().to_owned();
+                (name, std::fs::read_to_string(path).unwrap())
+            })
+            .collect();
+        pictures.sort();
+        pictures
+    };
+    let (kept, made) = (pictures(Path::new(".")), pictures(folder.path()));
+    assert_eq!((ran, kept.len(), made.len()), (4, 4, 4));
+    for (kept, made) in kept.iter().zip(&made) {
+        assert!(kept == made, "{} is out of date: see docs/pictures/README.md", kept.0);
+    }
 }
 
 /// The power that docs/drawing.md shows is that of the example.

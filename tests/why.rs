@@ -149,7 +149,7 @@ fn the_rungs_that_decided_are_drawn() {
         svg.contains(">why lamp is on in scan 5, since scan 4: ( lamp ), rung 2, line 6</text>")
     );
     for name in ["lamp", "delay", "motor", "start", "stop"] {
-        let marked = svg.lines().filter(|line| line.contains(&format!(" decides\" ")));
+        let marked = svg.lines().filter(|line| line.contains(" decides\" "));
         assert!(marked.clone().any(|line| line.ends_with(&format!(">{name}</text>"))), "{name}");
     }
     // The second rung is shown in two scans and has one name for links.
