@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::backend::hdl::ResetStyle;
-use crate::backend::{Artifact, BadOption, Emit, Options, Unit};
+use crate::backend::{Artifact, BadOption, Emit, Options, Schedule, Unit};
 use crate::diagnostic::{self, Diagnostic};
 use crate::files::{self, FileError};
 use crate::source::Source;
@@ -67,6 +67,13 @@ impl Build {
     #[must_use]
     pub fn reset(mut self, style: ResetStyle) -> Self {
         self.options.reset = style;
+        self
+    }
+
+    /// In which clocks of a scan the rungs act.
+    #[must_use]
+    pub fn schedule(mut self, schedule: Schedule) -> Self {
+        self.options.schedule = schedule;
         self
     }
 

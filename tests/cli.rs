@@ -210,6 +210,42 @@ fn options_that_do_not_fit_the_program_are_refused() {
 }
 
 #[test]
+fn a_scan_that_takes_longer_than_a_tick_is_refused() {
+    let folder = Folder::new();
+    let rungs = "input a output x, y, z  rung a (x) rung x (y) rung y (z)";
+    folder.write("slow.ladder", &format!("ladder slow  tick 1ms  clock 2kHz  {rungs}"));
+    let build = |more: &[&str]| {
+        let arguments = ["build", "slow.ladder", "-o", "out", "--schedule", "serial"];
+        folder.run(&[&arguments[..], more].concat())
+    };
+    let refused = build(&[]);
+    assert_ne!(refused.code, 0);
+    let said = "a scan takes 3 clocks in this schedule, and from tick to tick there are 2 clocks";
+    assert!(refused.err.contains(said), "{}", refused.err);
+    assert_eq!(build(&["--clock", "3kHz"]).code, 0);
+}
+
+#[test]
+fn another_order_is_remarked_and_obeyed() {
+    let folder = Folder::new();
+    folder.write(
+        "late.ladder",
+        "ladder late input a output x, y rung x (y) rung a (x)
+         test \"at once\" a := 1 scan expect y",
+    );
+    let test = |order: &str| folder.run(&["test", "late.ladder", "--order", order]);
+    assert_eq!(test("text").code, 1);
+    let flows = test("dataflow");
+    assert_eq!(flows.code, 0);
+    let said = "1 rung reads another value than in the order of the text; y may differ";
+    assert!(flows.err.contains(said), "{}", flows.err);
+    let build = folder.run(&["build", "late.ladder", "-o", "out", "--order", "dataflow"]);
+    assert!(!build.err.contains("W0305"), "{}", build.err);
+    let sim = folder.run(&["sim", "late.ladder", "--scans", "2", "--order", "dataflow"]);
+    assert_eq!((sim.code, sim.err.contains(said)), (0, true));
+}
+
+#[test]
 fn observed_variables_get_ports() {
     let folder = Folder::new();
     let text = "ladder seen  input a  output y  var n : INT

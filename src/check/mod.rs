@@ -140,6 +140,7 @@ impl<'s> Checker<'s> {
                         network,
                         span: rung.span,
                         line: self.source.line(rung.span.start),
+                        number: self.program.rungs.len() as u32 + 1,
                     });
                 }
                 Item::Test(test) => self.test(test),

@@ -10,10 +10,12 @@ use similar::TextDiff;
 use hotrail::backend::hdl::ResetStyle;
 use hotrail::backend::processor::Form;
 use hotrail::backend::{self, Artifact, Emit, Unit};
+use hotrail::diagnostic::code;
 use hotrail::files;
 use hotrail::quantity;
 
 use super::lints::Lints;
+use super::order::Order;
 use super::report::Report;
 use super::schedule::Schedule;
 use super::{Sources, Verdict, split_names};
@@ -23,6 +25,7 @@ use super::{Sources, Verdict, split_names};
 #[command(after_help = "Examples:
   hotrail build conveyor.ladder -o out
   hotrail build conveyor.ladder -o out --emit verilog,wrapper --clock 50MHz --debounce 10ms
+  hotrail build conveyor.ladder -o out --emit vhdl --schedule levels
   hotrail build conveyor.ladder -o golden --check")]
 pub struct Options {
     #[command(flatten)]
@@ -43,6 +46,9 @@ pub struct Options {
     /// In which clocks of a scan the rungs act
     #[arg(long, value_enum, default_value_t = Schedule::Flat)]
     schedule: Schedule,
+    /// In which order the rungs act
+    #[arg(long, value_enum, default_value_t = Order::Text)]
+    order: Order,
     /// Frequency of the board's clock, such as 50MHz, instead of the program's own
     #[arg(long, value_name = "FREQUENCY", value_parser = frequency)]
     clock: Option<u64>,
@@ -156,9 +162,15 @@ fn compile(
     options: &Options,
     report: &mut Report,
 ) -> anyhow::Result<Option<Vec<Artifact>>> {
-    let Some((source, program)) = report.analyze(path, &options.lints.options()) else {
+    let mut lints = options.lints.options();
+    if options.order == Order::Dataflow {
+        // No order of the text is asked for.
+        lints.allow.push(code::READ_ABOVE);
+    }
+    let Some((source, mut program)) = report.analyze(path, &lints) else {
         return Ok(None);
     };
+    report.reorder(path, &mut program, options.order);
     let backend_options = backend::Options {
         reset: match options.reset {
             Reset::SyncHigh => ResetStyle::SyncHigh,

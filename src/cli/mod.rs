@@ -11,6 +11,7 @@ mod explain;
 mod fmt;
 mod lints;
 mod new;
+mod order;
 mod pictures;
 mod report;
 mod rom;

@@ -7,8 +7,10 @@ use hotrail::diagnostic::{self, Diagnostic, Sarif};
 use hotrail::files::{self, FileError};
 use hotrail::lint;
 use hotrail::model::Program;
+use hotrail::report;
 use hotrail::source::Source;
 
+use super::order::Order;
 use super::{MessageFormat, Style};
 
 /// Nobody reads more findings about one file with their snippets.
@@ -40,6 +42,14 @@ impl Report {
         let (program, diagnostics) = hotrail::analyze_with(&source, lints);
         self.findings(&diagnostics, &source);
         program.map(|program| (source, program))
+    }
+
+    /// Puts the rungs of a program into an order and remarks what that changes.
+    pub fn reorder(&self, path: &Path, program: &mut Program, order: Order) {
+        if let Some(changes) = order.apply(program) {
+            let summary = report::order_summary(program, &changes);
+            self.remark(&format!("{}: {summary}", path.display()));
+        }
     }
 
     /// Reports findings in a source.

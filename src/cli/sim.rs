@@ -13,6 +13,7 @@ use hotrail::lint;
 use hotrail::model::{Program, VariableId};
 use hotrail::source::Source;
 
+use super::order::Order;
 use super::pictures;
 use super::report::Report;
 use super::sink::{Shown, Sink};
@@ -34,6 +35,9 @@ pub struct Options {
     /// Run that many scans; behind the stimulus's last row its values are held
     #[arg(long, value_name = "N")]
     scans: Option<usize>,
+    /// In which order the rungs act
+    #[arg(long, value_enum, default_value_t = Order::Text)]
+    order: Order,
     /// Show these variables and members instead of inputs and outputs
     #[arg(long, value_name = "NAMES")]
     watch: Vec<String>,
@@ -98,9 +102,10 @@ pub fn run(options: &Options, report: &mut Report) -> anyhow::Result<Verdict> {
     if options.stimulus.as_ref() == Some(&options.file) && options.file.as_os_str() == "-" {
         bail!("standard input cannot be both the program and its stimulus");
     }
-    let Some((source, program)) = report.analyze(&options.file, &lints) else {
+    let Some((source, mut program)) = report.analyze(&options.file, &lints) else {
         return Ok(Verdict::Bad);
     };
+    report.reorder(&options.file, &mut program, options.order);
     let Some(stimulus) = read_stimulus(&program, options.stimulus.as_ref(), report)? else {
         return Ok(Verdict::Bad);
     };

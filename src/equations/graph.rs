@@ -64,30 +64,12 @@ struct Users {
 impl Graph {
     /// The graph of a program.
     pub fn new(program: &Program, equations: &Equations) -> Self {
-        let live = equations.live();
         let mut linker = Linker { users: HashMap::new(), dependencies: Vec::new() };
-        let mut exprs = equations.exprs.iter().map(|(id, _)| id);
-        let mut made = 0;
-        for (number, step) in equations.steps.iter().enumerate() {
-            let read = |linker: &mut Linker, expr: ExprId| {
-                if let ExprOp::Read { variable, .. } = equations.exprs[expr].op {
-                    linker.reads(step.rung, resource(program, variable));
-                }
-            };
-            for expr in exprs.by_ref().take((step.exprs - made) as usize) {
-                if live[index(expr)] {
-                    equations.operands_of(expr, |operand| read(&mut linker, operand));
-                }
+        for one in uses(program, equations) {
+            match one.is_write {
+                false => linker.reads(one.rung, one.resource),
+                true => linker.writes(one.rung, one.resource),
             }
-            made = step.exprs;
-            for expr in equations.taken_by(number as u32) {
-                read(&mut linker, expr);
-            }
-            for variable in in_place(program, step) {
-                linker.reads(step.rung, resource(program, variable));
-                linker.writes(step.rung, resource(program, variable));
-            }
-            linker.writes(step.rung, written(program, step));
         }
         let rungs = program.rungs.len();
         let mut dependencies = linker.dependencies;
@@ -102,6 +84,45 @@ impl Graph {
         }
         Graph { dependencies, levels }
     }
+}
+
+/// That a rung reads or writes something.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Use {
+    pub(super) rung: u32,
+    pub(super) resource: Resource,
+    pub(super) is_write: bool,
+}
+
+/// What the rungs read and write, in the order in which they do.
+pub(super) fn uses(program: &Program, equations: &Equations) -> Vec<Use> {
+    let live = equations.live();
+    let mut uses = Vec::new();
+    let mut exprs = equations.exprs.iter().map(|(id, _)| id);
+    let mut made = 0;
+    for (number, step) in equations.steps.iter().enumerate() {
+        let mut add = |resource: Option<Resource>, is_write| {
+            uses.extend(resource.map(|resource| Use { rung: step.rung, resource, is_write }));
+        };
+        let mut read = |expr: ExprId| {
+            if let ExprOp::Read { variable, .. } = equations.exprs[expr].op {
+                add(resource(program, variable), false);
+            }
+        };
+        for expr in exprs.by_ref().take((step.exprs - made) as usize) {
+            if live[index(expr)] {
+                equations.operands_of(expr, &mut read);
+            }
+        }
+        made = step.exprs;
+        equations.taken_by(number as u32).into_iter().for_each(read);
+        for variable in in_place(program, step) {
+            add(resource(program, variable), false);
+            add(resource(program, variable), true);
+        }
+        add(written(program, step), true);
+    }
+    uses
 }
 
 /// What one resource stands for; `None` for what one rung has for itself.
@@ -136,8 +157,7 @@ struct Linker {
 }
 
 impl Linker {
-    fn reads(&mut self, rung: u32, resource: Option<Resource>) {
-        let Some(through) = resource else { return };
+    fn reads(&mut self, rung: u32, through: Resource) {
         let users = self.users.entry(through).or_default();
         if users.readers.last() == Some(&rung) {
             return;
@@ -148,8 +168,7 @@ impl Linker {
         self.dependencies.extend(writer.map(|from| Dependency { from, to: rung, kind, through }));
     }
 
-    fn writes(&mut self, rung: u32, resource: Option<Resource>) {
-        let Some(through) = resource else { return };
+    fn writes(&mut self, rung: u32, through: Resource) {
         let users = self.users.entry(through).or_default();
         let readers = users.readers.drain(..).map(|reader| (reader, Kind::WriteAfterRead));
         let writer = users.writer.replace(rung).map(|writer| (writer, Kind::WriteAfterWrite));

@@ -3,6 +3,7 @@
 //! themselves.
 
 mod chain;
+mod dataflow;
 mod expression;
 mod graph;
 mod lower;
@@ -18,6 +19,7 @@ use crate::model::{BinaryOp, Function, InstanceId, Relation, VariableId};
 use crate::types::Type;
 
 pub use chain::Chain;
+pub use dataflow::{Change, Order, by_dataflow};
 pub use graph::{Dependency, Graph, Kind, Resource};
 pub use lower::{lower, lower_expectation};
 

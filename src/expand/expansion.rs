@@ -96,7 +96,8 @@ impl<'p> Expansion<'p> {
         let sequence = self.sequence.as_ref();
         let stage = sequence.map(|sequence| sequence.remark(rung));
         let stage = stage.unwrap_or_default();
-        self.circuit.section(format!("rung {}{title}, {place}{stage}", rung + 1), rung + 1);
+        let number = written.number;
+        self.circuit.section(format!("rung {number}{title}, {place}{stage}"), number);
     }
 
     /// What is made from now on acts in the clock of a step.
@@ -241,9 +242,12 @@ impl<'p> Expansion<'p> {
                 self.written[index(*target)].set(self.stage, net);
                 let declared = &self.program.variables[*target];
                 if declared.role.is_named() {
-                    let is_last = self.last_write[index(*target)] == Some(number);
-                    let version =
-                        if is_last { Version::Last } else { Version::Rung(step.rung + 1) };
+                    let version = match self.program.rungs.get(step.rung as usize) {
+                        Some(rung) if self.last_write[index(*target)] != Some(number) => {
+                            Version::Rung(rung.number)
+                        }
+                        _ => Version::Last,
+                    };
                     let section = self.circuit.sections.len() - 1;
                     let name = declared.name.clone();
                     self.circuit.signals.push(Signal { net, name, version, section });

@@ -3,6 +3,7 @@
 mod expr;
 mod net;
 mod place;
+mod test;
 
 use std::sync::Arc;
 
@@ -17,6 +18,7 @@ pub use crate::syntax::ast::Edge;
 pub use expr::{BinaryOp, Expr, ExprKind, Function, Relation, convert};
 pub use net::{Connection, Net, Node};
 pub use place::{Base, Elements, Place};
+pub use test::{Expect, Statement, Test};
 
 /// One of a program's variables.
 pub type VariableId = Idx<Variable>;
@@ -93,26 +95,16 @@ impl Program {
         Some(instance.members[instance.shape.port_named(fraction)?])
     }
 
-    /// Keeps the tests that are wanted and numbers their expectations anew.
-    pub fn retain_tests(&mut self, is_wanted: impl Fn(&Test) -> bool) {
-        fn number(statements: &mut [Statement], next: &mut usize) {
-            for statement in statements {
-                match statement {
-                    Statement::Expect(expect) => {
-                        expect.index = *next;
-                        *next += 1;
-                    }
-                    Statement::Repeat(_, statements) => number(statements, next),
-                    Statement::Drive(..)
-                    | Statement::Scan(_)
-                    | Statement::Wait(_)
-                    | Statement::Reset => {}
-                }
-            }
-        }
-        self.tests.retain(is_wanted);
-        let mut next = 0;
-        self.tests.iter_mut().for_each(|test| number(&mut test.statements, &mut next));
+    /// Puts the rungs into another order: their places now, each once.
+    ///
+    /// # Panics
+    /// If a place is there twice or not at all.
+    pub fn reorder(&mut self, places: &[u32]) {
+        let mut rungs: Vec<Option<Rung>> =
+            std::mem::take(&mut self.rungs).into_iter().map(Some).collect();
+        let moved = places.iter().map(|&place| rungs[place as usize].take());
+        self.rungs = moved.map(|rung| rung.expect("each place is there once")).collect();
+        assert!(rungs.iter().all(Option::is_none), "each place is there");
     }
 
     /// The variable that a user names so: a declared name, in back-ticks or not, or
@@ -243,6 +235,8 @@ pub struct Rung {
     pub span: Span,
     /// The line, from 1, on which it starts.
     pub line: u32,
+    /// Its number, from 1, in the order of the text.
+    pub number: u32,
 }
 
 /// Elements from left to right; never empty.
@@ -357,46 +351,4 @@ pub enum ArgumentValue {
     Network(Series),
     /// An expression of the parameter's type.
     Value(Expr),
-}
-
-/// One test.
-#[derive(Debug)]
-pub struct Test {
-    /// Its title.
-    pub title: String,
-    /// Its statements.
-    pub statements: Vec<Statement>,
-    /// Its place.
-    pub span: Span,
-}
-
-/// One statement of a test.
-#[derive(Debug)]
-pub enum Statement {
-    /// Drives an input, an element or a bit of one until it is driven again. No index is to be
-    /// worked out.
-    Drive(Place, i64),
-    /// Runs that many scans without a tick.
-    Scan(u64),
-    /// Runs that many scans with a tick each.
-    Wait(u64),
-    /// The statements, that many times.
-    Repeat(u64, Vec<Statement>),
-    /// Back to reset, inputs to 0.
-    Reset,
-    /// This network must conduct now; only contacts, constants, comparisons and lists.
-    Expect(Expect),
-}
-
-/// An expectation.
-#[derive(Debug)]
-pub struct Expect {
-    /// Must conduct. Elements stand one for one with `spans`.
-    pub network: Series,
-    /// Its number among all expectations of the program, from 0.
-    pub index: usize,
-    /// The place of the statement.
-    pub span: Span,
-    /// The places of the elements of the outermost series.
-    pub spans: Vec<Span>,
 }

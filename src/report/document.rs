@@ -6,6 +6,7 @@ use serde::Serialize;
 use super::Report;
 use super::formula::{Formula, FormulaId};
 use super::listing::{Equation, Left};
+use super::order::OrderItem;
 use super::parts::Parts;
 use crate::equations::Kind;
 use crate::model::Edge;
@@ -18,6 +19,8 @@ struct Document<'r> {
     format: u32,
     program: &'r str,
     flat: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    order: Option<OrderItem>,
     rungs: Vec<RungItem<'r>>,
     equations: Vec<EquationItem>,
     dependencies: Vec<DependencyItem>,
@@ -28,7 +31,7 @@ struct Document<'r> {
 
 #[derive(Serialize)]
 struct RungItem<'r> {
-    number: usize,
+    number: u32,
     title: Option<&'r str>,
     line: u32,
     writes: Vec<String>,
@@ -113,16 +116,16 @@ struct ChainItem {
 impl Report<'_> {
     /// The whole report as one JSON object.
     pub fn json(&self) -> String {
-        let rungs = self.program.rungs.iter().zip(self.written()).enumerate();
-        let rungs = rungs.map(|(number, (rung, writes))| RungItem {
-            number: number + 1,
+        let rungs = self.program.rungs.iter().zip(self.written());
+        let rungs = rungs.map(|(rung, writes)| RungItem {
+            number: rung.number,
             title: rung.title.as_deref(),
             line: rung.line,
             writes,
         });
         let dependencies = self.graph.dependencies.iter().map(|one| DependencyItem {
-            from: one.from + 1,
-            to: one.to + 1,
+            from: self.number(one.from),
+            to: self.number(one.to),
             kind: match one.kind {
                 Kind::ReadAfterWrite => "read-after-write",
                 Kind::WriteAfterRead => "write-after-read",
@@ -134,18 +137,24 @@ impl Report<'_> {
             format: FORMAT,
             program: &self.program.name,
             flat: self.is_flat,
+            order: self.order().map(|order| order.item()),
             rungs: rungs.collect(),
             equations: self.equation_items(),
             dependencies: dependencies.collect(),
-            levels: from_one(self.levels()),
-            excite_order: from_one(self.excite_order()),
+            levels: self.numbered(self.levels()),
+            excite_order: self.numbered(self.excite_order()),
             longest_chain: ChainItem {
                 gates: self.chain.gates,
-                rungs: self.chain.rungs.iter().map(|rung| rung + 1).collect(),
+                rungs: self.chain.rungs.iter().map(|&rung| self.number(rung)).collect(),
             },
         };
         let text = serde_json::to_string_pretty(&document);
         text.expect("strings and numbers can be written as JSON") + "\n"
+    }
+
+    fn numbered(&self, lists: Vec<Vec<u32>>) -> Vec<Vec<u32>> {
+        let numbers = |list: Vec<u32>| list.into_iter().map(|rung| self.number(rung)).collect();
+        lists.into_iter().map(numbers).collect()
     }
 
     fn equation_items(&self) -> Vec<EquationItem> {
@@ -157,7 +166,7 @@ impl Report<'_> {
             let new = parts.introduce(&self.listing.formulas, equation);
             items.push(EquationItem {
                 number: equation.number,
-                rung: equation.rung + 1,
+                rung: self.number(equation.rung),
                 left: self.left_item(&parts, equation),
                 parts: new
                     .into_iter()
@@ -224,8 +233,4 @@ impl Report<'_> {
             }
         }
     }
-}
-
-fn from_one(lists: Vec<Vec<u32>>) -> Vec<Vec<u32>> {
-    lists.into_iter().map(|list| list.into_iter().map(|rung| rung + 1).collect()).collect()
 }

@@ -50,8 +50,8 @@ impl Report<'_> {
         let written = self.written();
         let join = |rungs: &[u32]| {
             let names = |&rung: &u32| match written[rung as usize].as_slice() {
-                [] => format!("{}", rung + 1),
-                names => format!("{} ({})", rung + 1, names.join(", ")),
+                [] => format!("{}", self.number(rung)),
+                names => format!("{} ({})", self.number(rung), names.join(", ")),
             };
             rungs.iter().map(names).collect::<Vec<_>>().join(", ")
         };
@@ -60,13 +60,13 @@ impl Report<'_> {
             writeln!(text, "  none")?;
         }
         for one in &self.graph.dependencies {
-            let (from, name) = (one.from + 1, self.through(one));
+            let (from, name) = (self.number(one.from), self.through(one));
             let why = match one.kind {
                 Kind::ReadAfterWrite => format!("reads {name}, which rung {from} writes"),
                 Kind::WriteAfterRead => format!("writes {name}, which rung {from} reads before"),
                 Kind::WriteAfterWrite => format!("writes {name} after rung {from}"),
             };
-            writeln!(text, "  rung {} {why}", one.to + 1)?;
+            writeln!(text, "  rung {} {why}", self.number(one.to))?;
         }
         writeln!(text, "\nlevels: the rungs that can fire together")?;
         for (number, rungs) in self.levels().iter().enumerate() {
@@ -100,15 +100,16 @@ impl Report<'_> {
         writeln!(text, "digraph \"{}\" {{", self.program.name)?;
         writeln!(text, "  rankdir=LR;\n  node [shape=box];")?;
         for (number, rung) in self.program.rungs.iter().enumerate() {
-            let mut label = format!("rung {}", number + 1);
+            let mut label = format!("rung {}", rung.number);
             if let Some(title) = &rung.title {
                 write!(label, "\n{title}")?;
             }
             write!(label, "\n{}", written[number].join(", "))?;
-            writeln!(text, "  r{} [label=\"{}\"];", number + 1, escaped(&label))?;
+            writeln!(text, "  r{} [label=\"{}\"];", rung.number, escaped(&label))?;
         }
         for rungs in self.levels() {
-            let rungs: Vec<String> = rungs.iter().map(|rung| format!("r{};", rung + 1)).collect();
+            let rungs = rungs.iter().map(|&rung| format!("r{};", self.number(rung)));
+            let rungs: Vec<String> = rungs.collect();
             writeln!(text, "  {{ rank=same; {} }}", rungs.join(" "))?;
         }
         for one in &self.graph.dependencies {
@@ -118,7 +119,7 @@ impl Report<'_> {
                 Kind::WriteAfterWrite => "dotted",
             };
             let label = escaped(&self.through(one));
-            let (from, to) = (one.from + 1, one.to + 1);
+            let (from, to) = (self.number(one.from), self.number(one.to));
             writeln!(text, "  r{from} -> r{to} [label=\"{label}\", style={style}];")?;
         }
         writeln!(text, "}}")

@@ -5,13 +5,16 @@ mod formula;
 mod graph;
 mod listing;
 mod names;
+mod order;
 mod parts;
 mod text;
 
-use crate::equations::{self, Chain, Graph};
+use crate::equations::{self, Chain, Graph, Order};
 use crate::model::Program;
 use listing::Listing;
 use names::Names;
+
+pub use order::order_summary;
 
 /// The equations of a program and the dependencies between its rungs.
 pub struct Report<'p> {
@@ -21,6 +24,7 @@ pub struct Report<'p> {
     graph: Graph,
     chain: Chain,
     is_flat: bool,
+    order: Option<Order>,
 }
 
 impl<'p> Report<'p> {
@@ -36,7 +40,23 @@ impl<'p> Report<'p> {
             graph: Graph::new(program, &equations),
             chain: Chain::new(program, &equations),
             is_flat: flat,
+            order: None,
         }
+    }
+
+    /// Says also what the order changes into which the rungs were put before.
+    pub fn set_order(&mut self, order: Order) {
+        self.order = Some(order);
+    }
+
+    fn order(&self) -> Option<order::Names<'_>> {
+        let names = |order| order::Names { program: self.program, order };
+        self.order.as_ref().map(names)
+    }
+
+    /// The number of a rung in the text.
+    fn number(&self, rung: u32) -> u32 {
+        self.program.rungs[rung as usize].number
     }
 
     /// What each rung writes, each name once, in the order of the text.

@@ -96,24 +96,11 @@ impl<'p> Names<'p> {
 
     /// A variable as a program names it.
     pub fn variable(&self, variable: VariableId) -> String {
-        let declared = &self.program.variables[variable];
-        match declared.role {
-            Role::Member(instance, port) => {
-                let shape = &self.program.instances[instance].shape;
-                format!("{}.{}", self.instance(instance), shape.ports[port].name)
-            }
-            Role::FirstScan => declared.name.to_string(),
-            _ if let Some(array) = self.program.array_of(variable) => {
-                let array = &self.program.arrays[array];
-                let number = index(variable) - index(array.elements.first);
-                format!("{}[{number}]", written_name(&array.name))
-            }
-            _ => written_name(&declared.name).into_owned(),
-        }
+        variable_name(self.program, variable)
     }
 
     pub fn instance(&self, instance: InstanceId) -> String {
-        written_name(&self.program.instances[instance].name).into_owned()
+        instance_name(self.program, instance)
     }
 
     /// What an equation writes, without arguments.
@@ -144,4 +131,27 @@ impl<'p> Names<'p> {
             .filter_map(|(one, chosen)| text(&one.choice, chosen).map(|text| (one.name, text)))
             .collect()
     }
+}
+
+/// A variable as a program names it.
+pub(super) fn variable_name(program: &Program, variable: VariableId) -> String {
+    let declared = &program.variables[variable];
+    match declared.role {
+        Role::Member(instance, port) => {
+            let shape = &program.instances[instance].shape;
+            format!("{}.{}", instance_name(program, instance), shape.ports[port].name)
+        }
+        Role::FirstScan => declared.name.to_string(),
+        _ if let Some(array) = program.array_of(variable) => {
+            let array = &program.arrays[array];
+            let number = index(variable) - index(array.elements.first);
+            format!("{}[{number}]", written_name(&array.name))
+        }
+        _ => written_name(&declared.name).into_owned(),
+    }
+}
+
+/// A block instance as a program names it.
+pub(super) fn instance_name(program: &Program, instance: InstanceId) -> String {
+    written_name(&program.instances[instance].name).into_owned()
 }

@@ -28,6 +28,9 @@ impl Report<'_> {
     /// The whole report.
     pub fn text(&self) -> String {
         let mut text = String::new();
+        if let Some(order) = self.order() {
+            order.text(&mut text).expect("a text takes all");
+        }
         self.equations(&mut text).expect("a text takes all");
         self.graph_text(&mut text).expect("a text takes all");
         text
@@ -54,12 +57,12 @@ impl Report<'_> {
     }
 
     fn heading(&self, text: &mut String, rung: u32) -> std::fmt::Result {
-        if !text.is_empty() {
+        if !text.is_empty() && !text.ends_with("\n\n") {
             writeln!(text)?;
         }
         let written = &self.program.rungs[rung as usize];
         let title = written.title.as_ref().map(|title| format!(" \"{title}\"")).unwrap_or_default();
-        writeln!(text, "rung {}{title}, line {}", rung + 1, written.line)
+        writeln!(text, "rung {}{title}, line {}", written.number, written.line)
     }
 
     /// An equation on one line.

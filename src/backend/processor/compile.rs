@@ -36,7 +36,8 @@ impl Image {
             let meant = &program.rungs[rung];
             let title =
                 meant.title.as_ref().map(|title| format!(" \"{}\"", Harmless::unicode(title)));
-            Some(format!("rung {}{}, {source}:{}", rung + 1, title.unwrap_or_default(), meant.line))
+            let number = meant.number;
+            Some(format!("rung {number}{}, {source}:{}", title.unwrap_or_default(), meant.line))
         };
         let symbols = Symbols {
             bit: &|address| self.layout.bit_names.get(&address).cloned(),

@@ -4,6 +4,7 @@
 mod cell;
 mod csv;
 mod json;
+mod of_test;
 
 use super::Row;
 use crate::diagnostic::{Diagnostic, code, shortened, similar_name};

@@ -1,0 +1,148 @@
+//! `--order dataflow`: the rungs as values flow between them, and what is said about the change.
+
+mod common;
+
+use common::{amount, generate};
+use fastrand::Rng;
+use hotrail::circuit::Simulator;
+use hotrail::equations::{Order, Resource, by_dataflow};
+use hotrail::eval::Evaluator;
+use hotrail::expand;
+use hotrail::model::{Program, Role, VariableId};
+use hotrail::report::{Report, order_summary};
+use hotrail::source::Source;
+
+fn analyze(text: &str) -> Program {
+    let (program, findings) = hotrail::analyze(&Source::new("demo.ladder", text));
+    program.unwrap_or_else(|| panic!("{findings:?}"))
+}
+
+/// The rungs in their new order, numbered as in the text.
+fn order(rungs: &str) -> Vec<u32> {
+    let start = "ladder demo  input a, b  output x, y, z  var m  var w : WORD  ";
+    let mut program = analyze(&format!("{start}{rungs}"));
+    let order = by_dataflow(&mut program);
+    let numbers: Vec<u32> = program.rungs.iter().map(|rung| rung.number).collect();
+    assert_eq!(order.rungs.iter().map(|rung| rung + 1).collect::<Vec<_>>(), numbers);
+    numbers
+}
+
+#[test]
+fn readers_come_behind_writers() {
+    assert_eq!(order("rung a (x) rung x (y)"), [1, 2]);
+    assert_eq!(order("rung x (y) rung a (x)"), [2, 1]);
+    assert_eq!(order("rung y (z) rung x (y) rung a (x)"), [3, 2, 1]);
+    // What is free stays in the order of the text.
+    assert_eq!(order("rung a (x) rung b (y) rung a b (z)"), [1, 2, 3]);
+    // A seal-in reads itself.
+    assert_eq!(order("rung x (y) rung [ a | x ] !b (x)"), [2, 1]);
+    assert_eq!(order("rung t.Q (x) rung a t:TON(PT := 5ms)"), [2, 1]);
+    assert_eq!(order("rung w.1 (x) rung a s:SHL(REG := w)"), [2, 1]);
+}
+
+#[test]
+fn writers_stay_in_the_order_of_the_text() {
+    assert_eq!(order("rung a (S x) rung x (y) rung b (R x)"), [1, 3, 2]);
+    assert_eq!(order("rung a (R t) rung b t:TON(PT := 5ms) rung t.Q (x)"), [1, 2, 3]);
+    assert_eq!(order("rung t.Q (R t) rung b t:TON(PT := 5ms)"), [1, 2]);
+}
+
+#[test]
+fn loops_keep_the_order_of_the_text_and_come_in_their_place() {
+    assert_eq!(order("rung a !y (x) rung b !x (y)"), [1, 2]);
+    // The reader of a loop comes behind it, what it reads in front.
+    assert_eq!(order("rung y (z) rung m !y (x) rung b !x (y) rung a (m)"), [4, 2, 3, 1]);
+}
+
+/// Everything that an order does not name has the same values in both orders.
+fn wrong_claim(text: &str, seed: u64) -> Option<String> {
+    let before = analyze(text);
+    let mut after = analyze(text);
+    let order = by_dataflow(&mut after);
+    assert_eq!(by_dataflow(&mut after).changes, [], "it stands in that order already");
+    let circuit = hotrail::compile(&after, &expand::Options::default());
+    let mut circuit = Simulator::new(&circuit);
+    let mut random = Rng::with_seed(seed);
+    let mut runs = [Evaluator::new(&before), Evaluator::new(&after)];
+    let inputs: Vec<VariableId> = before.with_role(Role::Input).map(|(id, _)| id).collect();
+    for scan in 0..100 {
+        let tick = random.bool();
+        let mut bits = vec![u64::from(tick)];
+        for &input in &inputs {
+            let ty = before.variables[input].ty;
+            if random.u8(..3) == 0 {
+                let value = if random.bool() { random.i64(-3..4) } else { random.i64(..) };
+                runs.iter_mut().for_each(|run| run.drive(input, ty.wrap(value)));
+            }
+            bits.push(ty.bits(runs[0].value(input)));
+        }
+        runs.iter_mut().for_each(|run| run.scan(tick));
+        circuit.settle(&bits);
+        circuit.clock();
+        let differs = |id: &VariableId| runs[0].value(*id) != runs[1].value(*id);
+        let named = before.named_variables().map(|(id, _)| id);
+        if let Some(id) = named.filter(differs).find(|&id| !may_differ(&before, &order, id)) {
+            return Some(format!("scan {scan}: {} differs", before.variables[id].name));
+        }
+        let outputs = after.with_role(Role::Output).enumerate();
+        for (port, (id, variable)) in outputs {
+            if circuit.output(port) != variable.ty.bits(runs[1].value(id)) {
+                return Some(format!("scan {scan}: the circuit's {} differs", variable.name));
+            }
+        }
+    }
+    None
+}
+
+fn may_differ(program: &Program, order: &Order, id: VariableId) -> bool {
+    let resource = match program.variables[id].role {
+        Role::Member(instance, _) => Resource::Instance(instance),
+        _ => Resource::Variable(id),
+    };
+    order.may_differ.contains(&resource)
+}
+
+#[test]
+fn what_is_not_named_does_not_differ() {
+    let mut changed = 0;
+    for seed in 0..amount("HOTRAIL_RANDOM_PROGRAMS", 1000) / 4 {
+        let text = generate::program(seed);
+        assert_eq!(wrong_claim(&text, seed), None, "seed {seed}:\n{text}");
+        changed += usize::from(!by_dataflow(&mut analyze(&text)).changes.is_empty());
+    }
+    assert!(changed > 0);
+    for example in common::examples() {
+        let text = std::fs::read_to_string(&example.ladder).unwrap();
+        assert_eq!(wrong_claim(&text, 1), None, "{}", example.ladder.display());
+    }
+}
+
+/// The page shows the report of an example.
+#[test]
+fn the_page_is_true() {
+    let text = include_str!("../examples/order_next_scan/order_next_scan.ladder");
+    let mut program = analyze(text);
+    let order = by_dataflow(&mut program);
+    let mut report = Report::new(&program, false);
+    report.set_order(order);
+    let page = include_str!("../docs/equations.md");
+    let (_, behind) = page.split_once("<!-- order -->\n```text\n").unwrap();
+    let (shown, _) = behind.split_once("```").unwrap();
+    assert!(report.text().starts_with(shown), "{}", report.text());
+}
+
+#[test]
+fn the_report_tells_what_changes() {
+    let text = "ladder demo input a output x, y, z, u var m
+        rung y (z) rung x !u (y) rung a (x) rung y (u) rung a (m) rung m (m)";
+    let mut program = analyze(text);
+    let order = by_dataflow(&mut program);
+    let summary = order_summary(&program, &order);
+    let mut report = Report::new(&program, false);
+    report.set_order(order);
+    let (head, _) =
+        report.text().split_once("\n\n").map(|(a, b)| (a.to_owned(), b.to_owned())).unwrap();
+    insta::assert_snapshot!("order", format!("{summary}\n\n{head}\n"));
+    assert!(report.json().contains("\"may_differ\""));
+    assert!(!Report::new(&program, false).json().contains("may_differ"));
+}
