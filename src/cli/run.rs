@@ -21,6 +21,7 @@ use hotrail::files::NewFile;
 use hotrail::lint;
 use hotrail::live::{self, Key, Live, Session};
 
+use super::order::Order;
 use super::report::Report;
 use super::sim::read_stimulus;
 use super::{Cli, Verdict};
@@ -38,6 +39,9 @@ pub struct Options {
     /// and `hotrail why`
     #[arg(long, value_name = "FILE")]
     record: Option<PathBuf>,
+    /// In which order the rungs act; the drawing keeps that of the text
+    #[arg(long, value_enum, default_value_t = Order::Text)]
+    order: Order,
     /// Draw with ASCII characters only
     #[arg(long)]
     ascii: bool,
@@ -73,12 +77,13 @@ pub fn run(options: &Options, report: &mut Report) -> anyhow::Result<Verdict> {
         );
     }
     let lints = lint::Options { off: true, ..lint::Options::default() };
-    let Some((source, program)) = report.analyze(&options.file, &lints) else {
+    let Some((source, mut program)) = report.analyze(&options.file, &lints) else {
         return Ok(Verdict::Bad);
     };
     let Some(stimulus) = read_stimulus(&program, options.stimulus.as_ref(), report)? else {
         return Ok(Verdict::Bad);
     };
+    report.reorder(&options.file, &mut program, options.order);
     let sources: Vec<PathBuf> =
         [Some(&options.file), options.stimulus.as_ref()].into_iter().flatten().cloned().collect();
     // Better to know now that it cannot be written than at the end.
