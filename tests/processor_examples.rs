@@ -16,7 +16,9 @@ const END: &str = "<!-- end of examples -->\n";
 
 /// Both tables.
 fn tables() -> String {
-    let mut can = String::from("| example | words | clocks a scan | as a circuit, `flat` |\n|---|---|---|---|\n");
+    let mut can = String::from(
+        "| example | words | clocks a scan | as a circuit, `flat` |\n|---|---|---|---|\n",
+    );
     let mut cannot = String::from("| example | not on the processor |\n|---|---|\n");
     for example in common::examples() {
         let name = example.name();
