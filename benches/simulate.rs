@@ -1,7 +1,9 @@
 //! Scans a second: our simulations of a circuit beside Verilator, on the Verilog that we print.
 //!
 //! `cargo bench --bench simulate` prints a row for each size and simulation: rungs with ten
-//! contacts in nested lists each. Verilator's row is there where it is installed.
+//! contacts in nested lists each. Verilator's row is there where it is installed. The rows of
+//! `hotrail sim` are whole runs of the program, reading the stimulus and printing one output of
+//! each scan included.
 
 use std::fmt::Write;
 use std::fs;
@@ -28,7 +30,8 @@ const ROWS: usize = 64;
 fn main() {
     println!("{:>6}  {:<22} {:>14} {:>20}", "rungs", "simulation", "scans/s", "rung evaluations/s");
     for rungs in SIZES {
-        let source = Source::new("bench.ladder", program(rungs));
+        let text = program(rungs);
+        let source = Source::new("bench.ladder", text.as_str());
         let program = hotrail::analyze(&source).0.expect("the program is good");
         let design = hotrail::compile(&program, &expand::Options::default());
         let mut random = Rng::with_seed(7);
@@ -41,6 +44,9 @@ fn main() {
         show("plain", plain(&design, &rows));
         show("fast", fast(&design, &rows));
         show("fast, 64 lanes", lanes(&design, &rows));
+        for on in ["evaluator", "circuit"] {
+            show(&format!("sim --on {on}"), sim(&text, on, 40_000_000 / rungs));
+        }
         match verilator(&design, rungs) {
             Some(scans) => show("Verilator -O3", scans),
             None => println!("{rungs:>6}  Verilator is missing"),
@@ -102,6 +108,24 @@ fn lanes(design: &Valid<Design>, rows: &[Vec<u64>]) -> f64 {
         }
         black_box(simulator.output_bit(0, 0));
     })
+}
+
+/// Runs `hotrail sim` on a stimulus of that many rows.
+fn sim(program: &str, on: &str, scans: usize) -> f64 {
+    let folder = tempfile::tempdir().expect("there is room for temporary files");
+    let inputs: Vec<String> = (0..INPUTS).map(|input| format!("x{input}")).collect();
+    let mut stimulus = inputs.join(",") + "\n";
+    let mut random = Rng::with_seed(7);
+    for _ in 0..scans {
+        let cells: Vec<&str> = (0..INPUTS).map(|_| if random.bool() { "1" } else { "0" }).collect();
+        stimulus += &(cells.join(",") + "\n");
+    }
+    fs::write(folder.path().join("bench.ladder"), program).unwrap();
+    fs::write(folder.path().join("s.csv"), stimulus).unwrap();
+    let arguments = ["sim", "bench.ladder", "s.csv", "--watch", "y0", "--on", on];
+    let started = Instant::now();
+    call(folder.path(), env!("CARGO_BIN_EXE_hotrail"), &arguments);
+    scans as f64 / started.elapsed().as_secs_f64()
 }
 
 /// Builds the printed Verilog with Verilator and lets it run; nothing if it is not installed.

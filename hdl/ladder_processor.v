@@ -55,7 +55,7 @@ module ladder_processor #(
 
   // The word behind the one in work, and the one in work.
   wire [15:0] code_out;
-  lp_memory #(.WIDTH(16), .ADDRESS_BITS(10), .FILE(CODE_FILE)) code_memory (
+  lp_memory #(.WIDTH(16), .ADDRESS_BITS(10), .CONTENTS(CODE_FILE)) code_memory (
       .clk(clk),
       .write(idle & code_write), .write_address(waddr), .write_data(code_in),
       .read(~hold), .read_address(count[9:0]), .read_data(code_out)
@@ -77,7 +77,7 @@ module ladder_processor #(
   wire latches = prefix & field[3:1] == 3'd0;
   lp_power #(.STACK_DEPTH(STACK_DEPTH)) power (
       .clk(clk), .start_scan(start_scan), .contact(contact),
-      .ends_circuit(output_word | latches), .attribute(field),
+      .ends_circuit(output_word | latches), .field(field),
       .conducts(contact_status ^ code[0]), .pwra(pwra)
   );
 
@@ -86,7 +86,7 @@ module ladder_processor #(
   wire value  = field == SET | (field == COIL & pwra) | (field == INVERTED & ~pwra);
   wire function_coil, function_writes;
   wire [9:0] function_address;
-  lp_image #(.INPUTS(INPUTS), .OUTPUTS(OUTPUTS), .FILE(IMAGE_FILE)) image (
+  lp_image #(.INPUTS(INPUTS), .OUTPUTS(OUTPUTS), .CONTENTS(IMAGE_FILE)) image (
       .clk(clk), .inputs(inputs), .outputs(outputs),
       .rst(rst), .resetting(resetting), .idle(idle), .start_scan(start_scan),
       .reading_inputs(reading_inputs), .running(running), .writing_outputs(writing_outputs),
@@ -123,7 +123,7 @@ module ladder_processor #(
           .written_word(written_word),
           .write_coil(function_writes), .coil_address(function_address), .coil(function_coil)
       );
-      lp_registers #(.FILE(REGISTER_FILE)) register_array (
+      lp_registers #(.CONTENTS(REGISTER_FILE)) register_array (
           .clk(clk), .rst(rst), .resetting(resetting), .idle(idle), .count(count),
           .read_register(read_register), .read_word(read_word),
           .write_register(write_register), .written_register(written_register),

@@ -78,7 +78,7 @@ module lp_function #(
   reg        enable, serial;
   reg [5:0]  unit_number;
   reg [1:0]  timer_type;
-  reg [10:0] register;                  // the next one that is read
+  reg [10:0] next_register;             // the one that is read
   always @(posedge clk)
     if (start_scan | done) begin
       enable <= 1'b1;
@@ -91,15 +91,16 @@ module lp_function #(
     if (prefix & field == UNIT) {timer_type, unit_number} <= {low[9:8], low[5:0]};
     if (prefix & field == NUMBER) number <= low[5:0];
     else if (at[7] | at[8] | (is_shift & at[1])) number <= number - 6'd1;
-    if (prefix & field[2]) register <= {field[0], low};
+    if (prefix & field[2]) next_register <= {field[0], low};
     else if (at[1] | |at[8:5])
-      register <= register + {{10{is_right}}, 1'b1};
+      next_register <= next_register + {{10{is_right}}, 1'b1};
   end
 
   // What each unit keeps: timers and counters from 0, drums from 64, shifts from 96.
   wire [6:0] unit_address = {is_drum | is_shift, is_shift | unit_number[5], unit_number[4:0]};
   wire was, was_enabled, runs;
-  lp_memory #(.WIDTH(3), .ADDRESS_BITS(7)) units (
+  reg  runs_on;
+  lp_memory #(.WIDTH(3), .ADDRESS_BITS(7)) kept (
       .clk(clk),
       .write(clear_units | (done & (is_count | is_shift))),
       .write_address(clear_units ? clear_address : unit_address),
@@ -140,7 +141,7 @@ module lp_function #(
   );
 
   // What was decided the clock before.
-  reg clears, loads, counts, reaches, runs_on, ends;
+  reg clears, loads, counts, reaches, ends;
   always @(posedge clk) begin
     clears  <= is_timer ? timer_clears : counter_clears;
     loads   <= counter_loads;
@@ -167,8 +168,8 @@ module lp_function #(
   // The register array: a shift writes what it read two clocks before.
   wire [10:0] count_register = {4'b0100, is_drum, unit_number};
   reg  [10:0] shifted_register;
-  always @(posedge clk) if (~at[1]) shifted_register <= register;
-  assign read_register    = is_count & at[1] ? count_register : register;
+  always @(posedge clk) if (~at[1]) shifted_register <= next_register;
+  assign read_register    = is_count & at[1] ? count_register : next_register;
   assign write_register   = is_count ? at[7] : at[2] & (is_bit | (is_shift & moves));
   assign written_register = is_count ? count_register : shifted_register;
 

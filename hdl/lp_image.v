@@ -2,7 +2,7 @@
 module lp_image #(
     parameter INPUTS = 16,
     parameter OUTPUTS = 16,
-    parameter FILE = ""                 // what the bits are at reset
+    parameter CONTENTS = ""             // what the bits are at reset
 ) (
     input  wire                                clk,
     input  wire [(INPUTS > 0 ? INPUTS : 1)-1:0] inputs,
@@ -48,7 +48,7 @@ module lp_image #(
   end
 
   wire initial_bit;
-  lp_memory #(.WIDTH(1), .ADDRESS_BITS(10), .FILE(FILE)) initial_bits (
+  lp_memory #(.WIDTH(1), .ADDRESS_BITS(10), .CONTENTS(CONTENTS)) initial_bits (
       .clk(clk),
       .write(idle & io_write & at_reset), .write_address(io_addr), .write_data(io_in),
       .read(1'b1), .read_address(place), .read_data(initial_bit)

@@ -4,7 +4,7 @@
 module lp_memory #(
     parameter WIDTH = 16,
     parameter ADDRESS_BITS = 10,
-    parameter FILE = ""                 // contents at power-up for $readmemh; none if empty
+    parameter CONTENTS = ""             // contents at power-up for $readmemh; none if empty
 ) (
     input  wire                    clk,
     input  wire                    write,
@@ -20,7 +20,7 @@ module lp_memory #(
   integer i;
   initial begin
     for (i = 0; i < (1 << ADDRESS_BITS); i = i + 1) words[i] = {WIDTH{1'b0}};
-    if (FILE != "") $readmemh(FILE, words);
+    if (CONTENTS != "") $readmemh(CONTENTS, words);
   end
 
   always @(posedge clk) begin

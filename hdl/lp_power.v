@@ -6,13 +6,13 @@ module lp_power #(
     input  wire       start_scan,       // the next contact starts a circuit
     input  wire       contact,          // a contact is executed in this clock
     input  wire       ends_circuit,     // an output or a prefix that latches power is executed
-    input  wire [3:0] attribute,
+    input  wire [3:0] field,            // of the word: the attribute
     input  wire       conducts,
     output reg        pwra              // the power at the left of the next contact
 );
-  wire open = attribute == 4'd2 | attribute == 4'd5 | attribute == 4'd6 | attribute == 4'd8;
-  wire up   = attribute == 4'd4 | attribute == 4'd5 | attribute == 4'd7 | attribute == 4'd8;
-  wire ret  = attribute == 4'd3 | attribute == 4'd6 | attribute == 4'd7 | attribute == 4'd8;
+  wire open = field == 4'd2 | field == 4'd5 | field == 4'd6 | field == 4'd8;
+  wire up   = field == 4'd4 | field == 4'd5 | field == 4'd7 | field == 4'd8;
+  wire ret  = field == 4'd3 | field == 4'd6 | field == 4'd7 | field == 4'd8;
 
   reg ended;                            // the circuit before is complete: power comes from the rail
 

@@ -1,6 +1,6 @@
 // The register array: presets, counts and words, and what they are at reset.
 module lp_registers #(
-    parameter FILE = ""                 // what the registers are at reset
+    parameter CONTENTS = ""             // what the registers are at reset
 ) (
     input  wire        clk,
     input  wire        rst,
@@ -28,7 +28,7 @@ module lp_registers #(
   end
 
   wire [15:0] initial_word;
-  lp_memory #(.WIDTH(16), .ADDRESS_BITS(11), .FILE(FILE)) initial_registers (
+  lp_memory #(.WIDTH(16), .ADDRESS_BITS(11), .CONTENTS(CONTENTS)) initial_registers (
       .clk(clk),
       .write(idle & RM_rw & at_reset), .write_address(RM_addr), .write_data(RM_in),
       .read(1'b1), .read_address(idle ? RM_addr : count), .read_data(initial_word)

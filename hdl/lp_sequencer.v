@@ -34,7 +34,7 @@ module lp_sequencer #(
   assign scan_done       = state == SHOW;
 
   wire reset_done = count == 11'd2047;
-  localparam [31:0] LAST_INPUT = INPUTS - 1, LAST_WRITE = OUTPUTS;
+  localparam [31:0] LAST_INPUT = INPUTS > 0 ? INPUTS - 1 : 0, LAST_WRITE = OUTPUTS;
   wire read_done  = count == LAST_INPUT[10:0];
   wire write_done = count == LAST_WRITE[10:0];
   wire run_done   = valid & end_word;

@@ -27,6 +27,8 @@ pub mod expand;
 pub mod files;
 mod index;
 pub mod lint;
+#[cfg(feature = "cli")]
+pub mod live;
 pub mod model;
 pub mod quantity;
 pub mod report;

@@ -20,6 +20,7 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("lint", &["index", "source", "types", "diagnostic", "syntax", "blocks", "model", "equations"]),
     ("eval", &["index", "source", "types", "quantity", "diagnostic", "blocks", "model"]),
     ("draw", &["source", "types", "quantity", "syntax", "blocks", "model", "eval"]),
+    ("live", &["source", "types", "quantity", "model", "eval", "draw"]),
     ("expand", &["index", "types", "circuit", "blocks", "model", "equations"]),
     (
         "backend",
@@ -56,6 +57,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "lint",
             "eval",
             "draw",
+            "live",
             "backend",
             "report",
             "files",
@@ -83,13 +85,15 @@ const FENCED: &[(&str, &[&str])] = &[
     ("csv::", &["eval/stimulus/", "cli/"]),
     ("vcd::", &["backend/"]),
     ("indicatif::", &["cli/"]),
+    ("ratatui_core::", &["live/", "cli/run.rs"]),
+    ("ratatui_crossterm::", &["cli/run.rs"]),
     ("tempfile::", &["files.rs", "cli/"]),
     ("std::fs", &["files.rs", "cli/"]),
     ("std::io", &["files.rs", "cli/"]),
     ("std::env", &["cli/", "build_script.rs"]),
     ("std::net", &[]),
     ("std::process", &["cli/", "main.rs"]),
-    ("std::time", &[]),
+    ("std::time", &["cli/run.rs"]),
     ("println!", &["cli/", "build_script.rs"]),
 ];
 
@@ -284,7 +288,16 @@ fn the_library_does_without_the_command_line() {
     assert!(!lib.code.iter().any(|line| line.contains("mod cli")));
     let manifest = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml"));
     let manifest = manifest.unwrap();
-    for name in ["anyhow", "clap", "csv", "indicatif", "similar", "vcd"] {
+    for name in [
+        "anyhow",
+        "clap",
+        "csv",
+        "indicatif",
+        "ratatui-core",
+        "ratatui-crossterm",
+        "similar",
+        "vcd",
+    ] {
         let line = manifest.lines().find(|line| line.starts_with(&format!("{name} = ")));
         assert!(line.is_some_and(|line| line.contains("optional = true")), "{name}");
     }

@@ -7,11 +7,11 @@ use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use common::lp::{self, REGISTERS, Row, image};
 use common::{amount, relay, require_tool, run};
 use fastrand::Rng;
-use hotrail::backend::processor::{self, Form, Image, Machine, Part, clocks_of_scan};
+use hotrail::backend::processor::Image;
 use hotrail::model::Program;
-use hotrail::source::Source;
 
 fn modules() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("hdl");
@@ -44,26 +44,12 @@ fn verilator_has_nothing_to_say() {
     }
 }
 
-fn image(text: &str) -> Option<(Program, Image)> {
-    let (program, _) = hotrail::analyze(&Source::new("test.ladder", text));
-    let program = program?;
-    processor::compile(&program).ok().map(|image| (program, image))
-}
-
-/// One scan: inputs, tick, and registers that the host writes before it.
-struct Row {
-    inputs: Vec<bool>,
-    tick: bool,
-    written: Vec<(u16, u16)>,
-}
-
 /// Drives the processor and prints outputs, image and some registers after each scan, with the
 /// clocks that it took.
 fn bench(image: &Image, rows: &[Row]) -> String {
     let rom = &image.rom;
     let bits = |count: u16| count.max(1) - 1;
-    let tenth = if 100_000_000 % rom.tick_ns == 0 { 100_000_000 / rom.tick_ns } else { 0 };
-    let second = 1_000_000_000 / rom.tick_ns;
+    let [tenth, second] = lp::ticks(image);
     let mut text = format!(
         "module bench;
   reg clk = 0, rst = 1, tick = 0, halt = 1, RM_rw = 0;
@@ -94,7 +80,7 @@ fn bench(image: &Image, rows: &[Row]) -> String {
       @(negedge clk);
       $write(\"%0d %b \", clocks, outputs);
       for (i = 256; i < 1024; i = i + 1) $write(\"%b\", dut.image.bits.words[i]);
-      for (i = 0; i < 660; i = i + 1) $write(\" %0h\", dut.functions.register_array.registers.words[i]);
+      for (i = 0; i < {REGISTERS}; i = i + 1) $write(\" %0h\", dut.functions.register_array.registers.words[i]);
       $write(\"\\n\");
     end
   endtask
@@ -113,75 +99,22 @@ fn bench(image: &Image, rows: &[Row]) -> String {
         for (register, word) in &row.written {
             writeln!(text, "    host({register}, {word});").unwrap();
         }
-        let inputs: String =
-            row.inputs.iter().rev().map(|&on| if on { '1' } else { '0' }).collect();
-        let (width, inputs) = match inputs.is_empty() {
-            true => (1, "0".to_owned()),
-            false => (inputs.len(), inputs),
-        };
+        let (inputs, width) = (row.digits(), row.inputs.len().max(1));
         writeln!(text, "    scan({width}'b{inputs}, {});", u8::from(row.tick)).unwrap();
     }
     text + "    $finish;\n  end\nendmodule\n"
 }
 
-/// What the bench should print.
-fn meant(image: &Image, rows: &[Row]) -> Vec<String> {
-    let mut machine = Machine::new(&image.rom).unwrap();
-    let bit = |on: bool| if on { '1' } else { '0' };
-    let outputs = |machine: &Machine<'_>| -> String {
-        let all: Vec<bool> = machine.outputs().collect();
-        all.into_iter().rev().map(bit).collect()
-    };
-    let shown = outputs(&machine);
-    let mut lines = vec![format!("reset {}", if shown.is_empty() { "x" } else { &shown })];
-    for row in rows {
-        for &(register, word) in &row.written {
-            machine.write_register(register, word);
-        }
-        (0..).zip(&row.inputs).for_each(|(input, &on)| machine.drive(input, on));
-        machine.scan(row.tick);
-        let mut line = format!("{} {} ", clocks_of_scan(&image.rom), outputs(&machine));
-        line.extend((256..1024).map(|address| bit(machine.bit(address))));
-        for register in 0..660 {
-            write!(line, " {:x}", machine.register(register)).unwrap();
-        }
-        lines.push(line);
-    }
-    lines
-}
-
-fn compare(name: &str, program: &Program, image: &Image, scans: usize, mut random: Rng) {
-    let rows: Vec<Row> = (0..scans)
-        .map(|_| Row {
-            inputs: (0..image.rom.pins.inputs).map(|_| random.bool()).collect(),
-            tick: random.bool(),
-            written: program
-                .variables
-                .iter()
-                .filter_map(|(id, variable)| {
-                    let is_input = variable.role == hotrail::model::Role::Input;
-                    let register = image.layout.register(id).filter(|_| is_input)?;
-                    let word = [0, 1, 2, 5, 20_000, 0xFFFF][random.usize(..6)];
-                    (random.u8(..5) == 0).then_some((register, word))
-                })
-                .collect(),
-        })
-        .collect();
+fn compare(name: &str, program: &Program, image: &Image, scans: usize, random: Rng) {
+    let rows = lp::rows(program, image, scans, random);
     let folder = tempfile::tempdir().unwrap();
-    for part in Part::ALL {
-        let file = folder.path().join(format!("test{}.hex", part.suffix()));
-        fs::write(file, image.rom.memory(part).write(Form::Hex, &[])).unwrap();
-    }
+    lp::write_image(folder.path(), image);
     fs::write(folder.path().join("bench.v"), bench(image, &rows)).unwrap();
     let files = modules();
     let arguments = [&["-g2005", "-o", "bench", "bench.v"][..], &names(&files)].concat();
     run(folder.path(), "iverilog", &arguments);
     let printed = run(folder.path(), "vvp", &["-n", "bench"]);
-    let lines: Vec<&str> = printed.lines().filter(|line| !line.contains("$finish")).collect();
-    for (scan, (shown, meant)) in lines.iter().zip(meant(image, &rows)).enumerate() {
-        assert_eq!(*shown, meant, "{name}, line {scan} (0 is reset)");
-    }
-    assert_eq!(lines.len(), rows.len() + 1, "{name}: {printed}");
+    lp::compare(name, &printed, &lp::meant(image, &rows));
 }
 
 #[test]

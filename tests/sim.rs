@@ -6,8 +6,12 @@ use std::fs;
 use std::path::Path;
 
 use common::folder::Folder;
+use common::generate;
+use fastrand::Rng;
+use hotrail::backend::CircuitRunner;
 use hotrail::diagnostic;
-use hotrail::eval::Stimulus;
+use hotrail::eval::{Evaluator, Machine, Stimulus};
+use hotrail::model::{Program, Role, VariableId};
 use hotrail::source::Source;
 
 const PROGRAM: &str = "ladder lift
@@ -169,6 +173,92 @@ fn values(dump: &str, path: &[&str], scans: usize) -> Vec<i64> {
     values
 }
 
+/// The examples, and some random programs.
+fn programs() -> Vec<(String, String)> {
+    let text = |example: &common::Example| fs::read_to_string(&example.ladder).unwrap();
+    let examples = common::examples();
+    let examples = examples.iter().map(|example| (example.name(), text(example)));
+    examples
+        .chain((0..30).map(|seed| (format!("random {seed}"), generate::program(seed))))
+        .collect()
+}
+
+/// A stimulus for every input of a program.
+fn random_stimulus(program: &Program, random: &mut Rng) -> String {
+    let inputs: Vec<_> = program.with_role(Role::Input).map(|(_, input)| input).collect();
+    let names = inputs.iter().map(|input| format!(",\"`{}`\"", input.name));
+    let mut text = format!("tick{}\n", names.collect::<String>());
+    for _ in 0..60 {
+        text += if random.u8(..4) == 0 { "0" } else { "1" };
+        for input in &inputs {
+            text.push(',');
+            if random.bool() {
+                let value = if random.bool() { random.i64(0..3) } else { random.i64(..) };
+                text += &input.ty.wrap(value).to_string();
+            }
+        }
+        text.push('\n');
+    }
+    text
+}
+
+#[test]
+fn the_circuit_prints_what_the_evaluator_prints() {
+    let folder = Folder::new();
+    let mut random = Rng::with_seed(11);
+    for (name, text) in programs() {
+        let (program, _) = hotrail::analyze(&Source::new("p.ladder", text.as_str()));
+        folder.write("p.ladder", &text);
+        folder.write("s.csv", &random_stimulus(&program.expect("it is right"), &mut random));
+        for format in [&["--format", "jsonl"][..], &["--vcd", "-"]] {
+            let on = |executor| {
+                let run = ["sim", "p.ladder", "s.csv", "--scans", "70", "--on", executor];
+                let run = folder.run(&[&run, format].concat());
+                assert_eq!((run.code, run.err.as_str()), (0, ""), "{name}");
+                run.out
+            };
+            assert_eq!(on("circuit"), on("evaluator"), "{name}");
+        }
+    }
+    folder.write("lift.ladder", PROGRAM);
+    let power = ["sim", "lift.ladder", "--scans", "1", "--on", "circuit", "--svg", "p.svg"];
+    let run = folder.run(&power);
+    assert!(run.code == 1 && run.err.contains("leave out --on circuit"), "{}", run.err);
+    let watch = ["sim", "lift.ladder", "--scans", "3", "--on", "circuit", "--watch"];
+    let run = folder.run(&[&watch[..], &["delay.ET,up,delay.ET,delay.Q"]].concat());
+    assert_eq!(run.out, "scan,tick,delay.ET,up,delay.Q\n0,1,0,0,0\n1,1,0,0,0\n2,1,0,0,0\n");
+}
+
+#[test]
+fn the_circuit_holds_what_the_evaluator_holds_at_every_reset() {
+    let mut random = Rng::with_seed(12);
+    for (name, text) in programs() {
+        let program = hotrail::analyze(&Source::new("p.ladder", text)).0.expect("it is right");
+        let named: Vec<VariableId> = program.named_variables().map(|(id, _)| id).collect();
+        let mut evaluator = Evaluator::new(&program);
+        let mut circuit = CircuitRunner::new(&program, &named);
+        for scan in 0..40 {
+            if scan % 8 == 0 {
+                Machine::reset(&mut evaluator);
+                circuit.reset();
+            } else {
+                for (input, variable) in program.with_role(Role::Input) {
+                    let value = variable.ty.wrap(random.i64(..));
+                    evaluator.drive(input, value);
+                    circuit.drive(input, value);
+                }
+                evaluator.scan(true);
+                circuit.scan(true);
+            }
+            for &variable in &named {
+                let (meant, shown) = (evaluator.value(variable), circuit.value(variable));
+                let variable = &program.variables[variable].name;
+                assert_eq!(shown, meant, "{name}: {variable} after {scan} steps");
+            }
+        }
+    }
+}
+
 #[test]
 fn a_dump_never_replaces_what_is_not_ours() {
     let folder = folder();
@@ -295,4 +385,72 @@ fn tests_leave_dumps() {
     let dump = folder.read("waves/lift_1_it_waits_and_then_goes_up.vcd");
     assert_eq!(values(&dump, &["lift", "motor"], 9), [0, 0, 1]);
     assert!(folder.path("waves/lift_2_no.vcd").is_file(), "that of a failing test too");
+}
+
+/// A program with a test that fails, under a title that a shell would take apart.
+const FAILING: &str = "ladder press  input start, guard  output motor, lamp
+    rung [ start | motor ] guard ( motor )
+    rung motor delay:TON(PT := 5s) ( lamp )
+    test \"it's $on\"  guard := 1  start := 1  scan  start := 0  wait 6s  guard := 0  scan
+        expect !start lamp
+    test \"good\"  scan  reset  start := 1  guard := 1  scan  expect motor
+";
+
+#[test]
+fn tests_leave_pictures() {
+    let folder = Folder::new();
+    folder.write("press.ladder", FAILING);
+    let run = folder.run(&["test", "press.ladder", "--svg", "pictures"]);
+    assert_eq!(run.code, 1);
+    let mut files: Vec<String> = fs::read_dir(folder.path("pictures"))
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    files.sort();
+    let [first, second] = ["press_1_it_s_on", "press_2_good"];
+    let wanted = [first, second].map(|stem| [format!("{stem}.svg"), format!("{stem}_waves.svg")]);
+    assert_eq!(files, wanted.concat());
+    let power = folder.read("pictures/press_1_it_s_on.svg");
+    assert!(power.contains("$on&#34;, fails here: power in scan 6001</text>"), "{power}");
+    assert!(labels(&power)[0].ends_with("motor is off, no power at the right end"));
+    let waves = folder.read("pictures/press_1_it_s_on_waves.svg");
+    let names = labels(&waves);
+    let names: Vec<&str> = names.iter().map(|label| label.split(':').next().unwrap()).collect();
+    assert_eq!(names, ["tick", "guard", "start", "lamp"]);
+    // Scans count from the last reset.
+    let power = folder.read("pictures/press_2_good.svg");
+    assert!(power.contains("passes: power in scan 0</text>"), "{power}");
+    assert_eq!(folder.run(&["test", "press.ladder", "--svg", "pictures"]).code, 1, "once more");
+}
+
+/// The command that a failing test names tells why.
+#[test]
+fn a_failing_test_leads_to_its_cause() {
+    let folder = Folder::new();
+    folder.write("press.ladder", FAILING);
+    let run = folder.run(&["test", "press.ladder"]);
+    let help = run.err.lines().find_map(|line| line.split_once("help: the cause: hotrail "));
+    let (_, arguments) = help.unwrap_or_else(|| panic!("{}", run.err));
+    let script = format!("{} {arguments}", env!("CARGO_BIN_EXE_hotrail"));
+    let mut shell = std::process::Command::new("sh");
+    let output = shell.args(["-c", &script]).current_dir(folder.path("")).output().unwrap();
+    let why = common::folder::Run::new(output);
+    assert_eq!((why.code, why.err.as_str()), (0, ""), "{script}");
+    assert!(why.out.starts_with("lamp went off in scan 6001: ( lamp ), rung 2"), "{}", why.out);
+    assert!(why.out.contains("guard went off in scan 6001: an input"), "{}", why.out);
+}
+
+#[test]
+fn a_test_is_meant_by_its_title_or_a_part_of_it() {
+    let folder = Folder::new();
+    let tests = "test \"go\" scan expect a test \"go on\" a := 1 scan expect y";
+    folder.write("p.ladder", &format!("ladder p input a output y rung a (y) {tests}"));
+    let why = |title| folder.run(&["why", "p.ladder", "--test", title, "y"]);
+    assert!(why("go").out.starts_with("y is off"), "{}", why("go").out);
+    assert!(why("on").out.starts_with("y went on"), "{}", why("on").out);
+    assert!(why("o").err.contains("2 tests have `o` in their titles"), "{}", why("o").err);
+    assert!(why("stop").err.contains("no test has `stop` in its title"), "{}", why("stop").err);
+    assert_eq!(folder.run(&["why", "p.ladder", "y"]).code, 2);
+    let drawn = folder.run(&["draw", "p.ladder", "--test", "go on", "--ascii"]);
+    assert!(drawn.out.contains("power in scan 0\n") && drawn.out.contains("[ ]"), "{}", drawn.out);
 }

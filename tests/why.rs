@@ -5,7 +5,7 @@ mod common;
 use common::folder::Folder;
 use common::{amount, generate};
 use fastrand::Rng;
-use hotrail::eval::{Cause, Evaluator, Row, Why};
+use hotrail::eval::{Cause, Evaluator, Looked, Reason, Row, ShownRung, Subject, Why};
 use hotrail::model::{Role, VariableId};
 use hotrail::source::Source;
 
@@ -140,6 +140,53 @@ fn json_has_the_same_causes() {
     assert_eq!(json["causes"][0]["reason"], "input");
 }
 
+#[test]
+fn the_rungs_that_decided_are_drawn() {
+    let text = answer(MOTOR, PRESSED, &["lamp", "--at", "5", "--format", "drawing"]);
+    insta::assert_snapshot!(text);
+    let svg = answer(MOTOR, PRESSED, &["lamp", "--at", "5", "--format", "svg"]);
+    assert!(
+        svg.contains(">why lamp is on in scan 5, since scan 4: ( lamp ), rung 2, line 6</text>")
+    );
+    for name in ["lamp", "delay", "motor", "start", "stop"] {
+        let marked = svg.lines().filter(|line| line.contains(&format!(" decides\" ")));
+        assert!(marked.clone().any(|line| line.ends_with(&format!(">{name}</text>"))), "{name}");
+    }
+    // The second rung is shown in two scans and has one name for links.
+    assert_eq!((svg.matches("<g ").count(), svg.matches("id=\"rung-2\"").count()), (3, 1));
+    let program = "ladder q  input a, b  var n : INT  output y
+        rung a { n := n + 1 }
+        rung { n > 1 } b not ( y )";
+    let text = answer(program, "a,b\n1,1\n", &["y", "--format", "drawing"]);
+    assert!(text.contains("»n > 1«") && !text.contains("»b«"), "{text}");
+    let program = "ladder r  input a  output y  rung a rising ( y )";
+    let text = answer(program, "a\n1\n1\n", &["y", "--format", "drawing"]);
+    assert!(text.contains("»┥rising├«"), "{text}");
+}
+
+/// What an explanation says of elements is what the rungs show that are drawn of it.
+fn is_shown(cause: &Cause, shown: &[ShownRung]) {
+    if let Reason::Element(place) | Reason::Call(place, _) = &cause.reason {
+        let is_it = |shown: &&ShownRung| (shown.scan, shown.rung) == (cause.scan, place.rung);
+        let seen = &shown.iter().find(is_it).unwrap().seen[place.element];
+        assert!(seen.decides, "{cause:?}");
+        match (&cause.subject, &cause.reason) {
+            (Subject::Condition(_), _) => assert_eq!(seen.is_on, cause.value != 0, "{cause:?}"),
+            (Subject::IdleCoil(_), _) => assert!(!seen.power, "{cause:?}"),
+            (_, Reason::Call(_, power)) => {
+                assert_eq!(seen.power, power.is_on, "{cause:?}");
+                assert!(!seen.readings.is_empty(), "{cause:?}");
+            }
+            _ => {}
+        }
+    }
+    if let Some(Looked { scan, rung, element }) = cause.looked {
+        let is_it = |shown: &&ShownRung| (shown.scan, shown.rung) == (scan, rung);
+        assert!(shown.iter().find(is_it).unwrap().seen[element].decides, "{cause:?}");
+    }
+    cause.causes.iter().for_each(|cause| is_shown(cause, shown));
+}
+
 /// The number of parts of an explanation; it is no deeper than asked for.
 fn parts(cause: &Cause, depth: usize) -> usize {
     assert!(depth > 0 || cause.causes.is_empty());
@@ -177,6 +224,9 @@ fn every_variable_of_random_programs_can_be_explained() {
                 // A condition is a part of its own beside the variable that it reads.
                 let parts = parts(&cause, 200);
                 assert!(parts < 20_000, "{} of seed {seed}: {parts}", variable.name);
+                if scan == 14 {
+                    is_shown(&cause, &why.shown(&cause));
+                }
             }
         }
     }

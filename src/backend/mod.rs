@@ -1,5 +1,6 @@
 //! From a checked program and its circuit to files.
 
+mod circuit;
 pub mod hdl;
 pub mod processor;
 #[cfg(feature = "cli")]
@@ -21,6 +22,7 @@ use hdl::{Board, Language, ResetStyle};
 use processor::{Form, Image, Part};
 
 pub use crate::expand::Schedule;
+pub use circuit::CircuitRunner;
 #[cfg(feature = "cli")]
 pub use vcd::Vcd;
 

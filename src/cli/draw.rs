@@ -42,10 +42,13 @@ pub struct Options {
     #[arg(long = "rung", value_name = "RUNG")]
     rungs: Vec<String>,
     /// Draw the power of a scan too: the stimulus, as for `hotrail sim`, of one program
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", group = "run")]
     stimulus: Option<PathBuf>,
-    /// The scan that is drawn, from 0; the stimulus's last one if it is not said
-    #[arg(long, value_name = "SCAN", requires = "stimulus")]
+    /// Draw the power of a scan of this test: its title, or a part that no other one has
+    #[arg(long, value_name = "TITLE", group = "run", conflicts_with = "stimulus")]
+    test: Option<String>,
+    /// The scan that is drawn, from 0; the last one of the stimulus or of the test if it is not said
+    #[arg(long, value_name = "SCAN", requires = "run")]
     at: Option<usize>,
     /// Folder for the pictures, NAME.svg each; without it they go to standard output
     #[arg(short, long, value_name = "DIR")]
@@ -79,8 +82,9 @@ pub fn run(options: &Options, report: &mut Report) -> anyhow::Result<Verdict> {
     if !is_text && options.out.is_none() && options.sources.files.len() > 1 {
         bail!("several pictures need a folder: say -o DIR");
     }
-    if options.stimulus.is_some() && options.sources.files.len() > 1 {
-        bail!("a stimulus belongs to one program");
+    let is_run = options.stimulus.is_some() || options.test.is_some();
+    if is_run && options.sources.files.len() > 1 {
+        bail!("a run is one of one program: say one file");
     }
     let standard_inputs = options.sources.files.iter().chain(&options.stimulus);
     if standard_inputs.filter(|path| path.as_os_str() == "-").count() > 1 {
@@ -140,15 +144,21 @@ fn draw_all(
             is_good = false;
             continue;
         };
-        let drawing = match &options.stimulus {
+        let stimulus = match (&options.stimulus, &options.test) {
+            (None, None) => None,
+            (None, Some(title)) => Some(pictures::test_stimulus(&program, title)?),
+            (Some(file), _) => match read_stimulus(&program, Some(file), report)? {
+                Some(stimulus) => Some(stimulus),
+                None => return Ok(None),
+            },
+        };
+        let drawing = match &stimulus {
             None => Drawing::new(&source, &look),
             Some(stimulus) => {
-                let Some(stimulus) = read_stimulus(&program, Some(stimulus), report)? else {
-                    return Ok(None);
-                };
-                let (flow, moment) = pictures::at(&program, &stimulus, options.at)?;
-                let drawing = Drawing::with_flow(&source, &look, &flow);
-                Drawing { moment: Some(moment), ..drawing }
+                let (flow, moment) = pictures::at(&program, stimulus, options.at)?;
+                let mut drawing = Drawing::with_flow(&source, &look, &flow);
+                drawing.say(&moment);
+                drawing
             }
         };
         drawings.push((path.clone(), drawing));

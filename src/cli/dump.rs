@@ -13,13 +13,14 @@ const PIECE: u64 = 1024;
 /// The longest part of a title in a file's name, in characters.
 const LONGEST_TITLE: usize = 48;
 
-/// The file in which the test of that number, from 0, is written down.
-pub fn file_name(program: &Program, number: usize, test: &Test) -> String {
+/// The name, without its ending, of the files in which the test of that number, from 0, is written
+/// down.
+pub fn file_stem(program: &Program, number: usize, test: &Test) -> String {
     let is_word = |c: char| c.is_ascii_alphanumeric();
     let words: Vec<&str> = test.title.split(|c| !is_word(c)).filter(|w| !w.is_empty()).collect();
     let mut title = words.join("_");
     title.truncate(LONGEST_TITLE);
-    format!("{}_{}_{title}", program.name, number + 1).trim_end_matches('_').to_owned() + ".vcd"
+    format!("{}_{}_{title}", program.name, number + 1).trim_end_matches('_').to_owned()
 }
 
 /// Runs a test on a machine and writes every scan into a file.

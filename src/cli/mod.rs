@@ -15,9 +15,11 @@ mod order;
 mod pictures;
 mod report;
 mod rom;
+mod run;
 mod schedule;
 mod sim;
 mod simulators;
+mod sink;
 mod table;
 mod test;
 mod why;
@@ -50,6 +52,7 @@ const EXAMPLES: &str = "Examples:
   hotrail check conveyor.ladder
   hotrail test conveyor.ladder
   hotrail sim conveyor.ladder stimulus.csv --vcd conveyor.vcd
+  hotrail run conveyor.ladder
   hotrail fmt conveyor.ladder
   hotrail draw conveyor.ladder
   hotrail build conveyor.ladder -o out --emit verilog,vhdl";
@@ -61,6 +64,7 @@ enum Command {
     Build(build::Options),
     Test(test::Options),
     Sim(sim::Options),
+    Run(run::Options),
     Why(why::Options),
     Fmt(fmt::Options),
     Equations(equations::Options),
@@ -165,6 +169,7 @@ pub fn run() -> ExitCode {
         Command::Build(options) => build::run(&options, &mut report),
         Command::Test(options) => test::run(&options, &mut report),
         Command::Sim(options) => sim::run(&options, &mut report),
+        Command::Run(options) => run::run(&options, &mut report),
         Command::Why(options) => why::run(&options, &mut report),
         Command::Fmt(options) => fmt::run(&options, &mut report),
         Command::Equations(options) => equations::run(&options, &mut report),

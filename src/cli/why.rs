@@ -8,26 +8,35 @@ use clap::ValueEnum;
 use serde_json::{Value, json};
 
 use hotrail::backend::hdl::Harmless;
-use hotrail::eval::{Cause, Place, Power, Reason, Subject, Why};
+use hotrail::draw::{self, Drawing, Glyphs};
+use hotrail::eval::{Cause, Flow, Place, Power, Reason, Subject, Why};
 use hotrail::lint;
 use hotrail::quantity;
 use hotrail::types::Type;
 
 use super::Verdict;
+use super::pictures;
 use super::report::Report;
 use super::sim::{read_stimulus, variable};
 
 /// Tell why a variable is on or off in a scan
 #[derive(clap::Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = EXAMPLES, override_usage = "hotrail why [OPTIONS] <FILE> <STIMULUS> <NAME>
+       hotrail why [OPTIONS] <FILE> --test <TITLE> <NAME>")]
 pub struct Options {
     /// Ladder file
     file: PathBuf,
-    /// Values for the inputs, one row a scan, as for `hotrail sim`; - is standard input
-    stimulus: PathBuf,
+    /// Values for the inputs, one row a scan, as for `hotrail sim`; - is standard input. Not there
+    /// with --test
+    #[arg(value_name = "STIMULUS")]
+    first: String,
     /// The variable, or the member of a block
-    name: String,
-    /// The scan, from 0; the last one if it is not said
+    #[arg(value_name = "NAME", required_unless_present = "test", conflicts_with = "test")]
+    second: Option<String>,
+    /// Run this test in place of a stimulus: its title, or a part that no other one has
+    #[arg(long, value_name = "TITLE")]
+    test: Option<String>,
+    /// The scan, from 0; the last one if it is not said. Of a test scans count from its last reset
     #[arg(long, value_name = "SCAN")]
     at: Option<usize>,
     /// How many steps back to go
@@ -45,7 +54,9 @@ blocks and scans to the inputs that decided.
 
 Examples:
   hotrail why conveyor.ladder stimulus.csv motor
-  hotrail why conveyor.ladder stimulus.csv motor --at 120 --format json";
+  hotrail why conveyor.ladder --test 'the belt stops' motor
+  hotrail why conveyor.ladder stimulus.csv motor --at 120 --format json
+  hotrail why conveyor.ladder stimulus.csv motor --format svg > why.svg";
 
 #[derive(ValueEnum, Clone, Copy, PartialEq, Eq)]
 enum Format {
@@ -53,22 +64,33 @@ enum Format {
     Text,
     /// One JSON object
     Json,
+    /// The rungs that decided, drawn with characters
+    Drawing,
+    /// The rungs that decided, as an SVG picture
+    Svg,
 }
 
 pub fn run(options: &Options, report: &mut Report) -> anyhow::Result<Verdict> {
     let lints = lint::Options { off: true, ..lint::Options::default() };
-    if options.stimulus == options.file && options.file.as_os_str() == "-" {
+    // With a test there is no stimulus in front of the name.
+    let (stimulus, name) = match &options.second {
+        Some(name) => (Some(PathBuf::from(&options.first)), name),
+        None => (None, &options.first),
+    };
+    if stimulus.as_ref() == Some(&options.file) && options.file.as_os_str() == "-" {
         bail!("standard input cannot be both the program and its stimulus");
     }
     let Some((source, program)) = report.analyze(&options.file, &lints) else {
         return Ok(Verdict::Bad);
     };
-    let Some(stimulus) = read_stimulus(&program, Some(&options.stimulus), report)? else {
-        return Ok(Verdict::Bad);
+    let stimulus = match &options.test {
+        Some(title) => Some(pictures::test_stimulus(&program, title)?),
+        None => read_stimulus(&program, stimulus.as_ref(), report)?,
     };
-    let variable = variable(&program, &options.name)?;
+    let Some(stimulus) = stimulus else { return Ok(Verdict::Bad) };
+    let variable = variable(&program, name)?;
     let Some(scan) = options.at.or(stimulus.len().checked_sub(1)) else {
-        bail!("the stimulus has no row, so there is no scan; --at SCAN holds all inputs at 0");
+        bail!("nothing is run, so there is no scan; --at SCAN holds all inputs at 0");
     };
     // Behind the last row its values are held, as by `sim --scans`.
     let rows = (0..=scan).map(|scan| stimulus.row(scan));
@@ -76,7 +98,18 @@ pub fn run(options: &Options, report: &mut Report) -> anyhow::Result<Verdict> {
     let cause = why.explain(variable, scan, options.depth.into());
     let printer = Printer { tick_ns: program.tick_ns };
     let mut text = String::new();
+    let drawing = || {
+        let flow = Flow::at_reset(&program);
+        let drawing = Drawing::with_flow(&source, &draw::Options::default(), &flow);
+        let mut drawing = drawing.of_explanation(&why.shown(&cause));
+        drawing.say(&format!("why {}{}", printer.statement(&cause), printer.reason(&cause)));
+        drawing
+    };
     match options.format {
+        Format::Drawing => {
+            text = pictures::terminal_text(&drawing(), Glyphs::Unicode, report);
+        }
+        Format::Svg => text = drawing().svg(),
         Format::Text => printer.text(&cause, 0, &mut text),
         Format::Json => {
             text = serde_json::to_string_pretty(&printer.json(&cause))?;

@@ -1,7 +1,7 @@
 //! The cells of a rung as characters: where wires meet, how heavy they are, what lies over them.
 
 use super::Rung;
-use super::cells::{ElementId, Part, Point, Shape, Style, Symbol};
+use super::cells::{Align, ElementId, Part, Point, Shape, Style, Symbol, Text};
 use super::text::{Glyphs, Line, Look, Piece};
 use super::words::width;
 
@@ -130,8 +130,8 @@ impl<'r> Grid<'r> {
                 }
             }
             Shape::Text(text) => match text.style {
-                // A name has a cell to spare at both sides.
-                Style::Name | Style::Instance if decides => {
+                // A name has a cell to spare at both sides, and so has an expression in its box.
+                _ if decides && is_marked(text) => {
                     let (left, right) = (glyphs.pick("»", "*"), glyphs.pick("«", "*"));
                     let at = Point { x: text.at.x - 1, ..text.at };
                     self.write(at, &format!("{left}{}{right}", text.text), look);
@@ -179,6 +179,13 @@ impl<'r> Grid<'r> {
                 format!("(({sign}))")
             }
             Symbol::Coil(sign) => format!("({sign})"),
+            Symbol::Operator(sign) if self.decides(element) => {
+                start -= 1;
+                let left = self.glyphs.bar(true, is_on, power);
+                let right = self.glyphs.bar(false, is_on, out);
+                let mark = |unicode, ascii| self.glyphs.pick(unicode, ascii);
+                format!("{}{left}{sign}{right}{}", mark("»", "*"), mark("«", "*"))
+            }
             Symbol::Contact(sign) | Symbol::Operator(sign) => {
                 let left = self.glyphs.bar(true, is_on, power);
                 let right = self.glyphs.bar(false, is_on, out);
@@ -243,6 +250,15 @@ impl<'r> Grid<'r> {
             let look = if heavy == 0 { Look::Plain } else { Look::Live };
             add_run(line, self.glyphs.meeting(sides, heavy).encode_utf8(&mut [0; 4]), look);
         }
+    }
+}
+
+/// True for the texts that say which element it is.
+fn is_marked(text: &Text) -> bool {
+    match text.style {
+        Style::Name | Style::Instance => true,
+        Style::Value => text.align == Align::Start,
+        Style::Kind | Style::Pin | Style::Mark => false,
     }
 }
 

@@ -37,8 +37,9 @@ pub use rung::Rung;
 pub use svg::bears_header;
 pub use text::{Glyphs, Line, Look, Piece};
 pub use timing::Timing;
+pub use words::harmless;
 
-use crate::eval::Flow;
+use crate::eval::{Flow, ShownRung};
 use crate::source::Source;
 use crate::syntax::{self, ast::Item};
 use build::Builder;
@@ -98,6 +99,22 @@ impl Drawing {
         let mut drawing = Drawing::laid_out(source, options, Some(flow));
         drawing.show(flow);
         drawing
+    }
+
+    /// The rungs of an explanation in its order, each in its scan; a rung may come several times.
+    #[must_use]
+    pub fn of_explanation(mut self, shown: &[ShownRung]) -> Self {
+        let drawn = |shown: &ShownRung| {
+            let rung = &self.rungs[shown.rung - 1];
+            Rung { seen: Some(shown.seen.clone()), scan: Some(shown.scan), ..rung.clone() }
+        };
+        self.rungs = shown.iter().map(drawn).collect();
+        self
+    }
+
+    /// Says which moment is shown.
+    pub fn say(&mut self, moment: &str) {
+        self.moment = Some(words::harmless(moment));
     }
 
     /// Shows another scan, of the same program.

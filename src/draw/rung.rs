@@ -30,9 +30,17 @@ pub struct Rung {
     pub parts: Vec<Part>,
     /// What its elements did in the scan that is shown, if one is.
     pub seen: Option<Vec<Seen>>,
+    /// That scan, where it is not the same for the whole drawing.
+    pub scan: Option<usize>,
 }
 
 impl Rung {
+    /// Where it stands, and in which scan it is seen.
+    pub(super) fn place(&self) -> String {
+        let scan = self.scan.map(|scan| format!("scan {scan}, ")).unwrap_or_default();
+        format!("{scan}line {}", self.line)
+    }
+
     /// True if there is power in the scan that is shown; false if none is.
     pub fn has_power(&self, power: Power) -> bool {
         let Some(seen) = &self.seen else { return false };

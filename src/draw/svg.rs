@@ -50,13 +50,17 @@ struct Page<'d> {
     heading: Vec<(&'static str, f32, String)>,
     /// The moment that is shown.
     moment: Option<&'d str>,
+    /// Some of it is marked as what decided.
+    decides: bool,
     rungs: Vec<View<'d>>,
 }
 
 /// A rung, its places relative to its own upper left corner.
 struct View<'d> {
     number: usize,
-    line: u32,
+    /// Its name for links, where it is drawn first.
+    id: Option<usize>,
+    place: String,
     /// What a screen reader says.
     label: String,
     y: f32,
@@ -127,8 +131,9 @@ impl Drawing {
         }
         y += GAP;
         let mut rungs = Vec::with_capacity(self.rungs.len());
-        for rung in &self.rungs {
-            let (view, height) = View::of(rung, y, self.width);
+        for (index, rung) in self.rungs.iter().enumerate() {
+            let is_first = self.rungs[..index].iter().all(|other| other.number != rung.number);
+            let (view, height) = View::of(rung, is_first, y, self.width);
             rungs.push(view);
             y += height + GAP;
         }
@@ -145,6 +150,7 @@ impl Drawing {
             inner,
             heading,
             moment: self.moment.as_deref(),
+            decides: rungs.iter().any(|rung| !rung.rings.is_empty()),
             rungs,
         };
         let mut text = page.render().expect("writing to a string does not fail");
@@ -156,12 +162,13 @@ impl Drawing {
 
 impl<'d> View<'d> {
     /// The rung and its height.
-    fn of(rung: &'d Rung, y: f32, columns: i32) -> (Self, f32) {
+    fn of(rung: &'d Rung, is_first: bool, y: f32, columns: i32) -> (Self, f32) {
         let title = rung.title.as_deref().unwrap_or("");
         let of_title = if title.is_empty() { String::new() } else { format!(", {title}") };
         let mut view = View {
             number: rung.number,
-            line: rung.line,
+            id: is_first.then_some(rung.number),
+            place: rung.place(),
             label: format!("rung {}{of_title}: {}{}", rung.number, rung.written, rung.told()),
             y,
             captions: Vec::new(),
@@ -173,7 +180,7 @@ impl<'d> View<'d> {
             references: Vec::new(),
         };
         let number = width(&rung.number.to_string()) + 2;
-        let room = columns - number - 10;
+        let room = columns - number - 2 - width(&rung.place());
         let titles = lines(title, room).into_iter().map(|line| ("title", line));
         let notes = rung.comment.iter().flat_map(|comment| lines(comment, room));
         let mut base = 18.0;

@@ -96,7 +96,7 @@ impl Rung {
     /// Number, title and line of a rung, and its comment, over a drawing of that width.
     pub fn caption(&self, glyphs: Glyphs, columns: i32) -> Vec<Line> {
         let number = format!("{}  ", self.number);
-        let place = format!("line {}", self.line);
+        let place = self.place();
         let room = columns - width(&number) - width(&place) - 2;
         let mut caption = Vec::new();
         let title = lines(self.title.as_deref().unwrap_or(""), room);

@@ -10,7 +10,7 @@ pub(super) fn width(text: &str) -> i32 {
 }
 
 /// A text in which no character acts on a terminal, a browser or the texts around it.
-pub(super) fn harmless(text: &str) -> String {
+pub fn harmless(text: &str) -> String {
     let shown = |c| match c {
         '\t' => ' ',
         c if is_plain(c) => c,

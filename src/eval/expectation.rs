@@ -1,7 +1,7 @@
 //! Why an expectation does not hold: the contact that does not conduct, with its value.
 
 use crate::model::{
-    Element, Expect, Expr, ExprKind, Place, Program, Series, Statement, Variable, VariableId,
+    Element, Expect, Expr, ExprKind, Place, Program, Series, Statement, Test, Variable, VariableId,
 };
 use crate::source::Span;
 use crate::types::Type;
@@ -13,6 +13,8 @@ pub struct Failure {
     pub span: Span,
     /// What its contacts see, such as `motor is 0`.
     pub text: String,
+    /// The variables that its contacts look at, in text order.
+    pub variables: Vec<VariableId>,
 }
 
 /// True if an element of an expectation conducts, given the values that it looks at.
@@ -42,6 +44,28 @@ pub fn variables_of(network: &Series) -> Vec<VariableId> {
     let mut seen = std::collections::HashSet::new();
     all.retain(|&variable| seen.insert(variable));
     all
+}
+
+/// The variables that a test drives or looks at, each once, in text order.
+pub fn variables_of_test(test: &Test) -> Vec<VariableId> {
+    let mut all = Vec::new();
+    mentioned(&test.statements, &mut all);
+    let mut seen = std::collections::HashSet::new();
+    all.retain(|&variable| seen.insert(variable));
+    all
+}
+
+fn mentioned(statements: &[Statement], all: &mut Vec<VariableId>) {
+    for statement in statements {
+        match statement {
+            Statement::Drive(place, _) => {
+                place.for_each_variable(&mut |variable| all.push(variable))
+            }
+            Statement::Expect(expect) => all.extend(variables_of(&expect.network)),
+            Statement::Repeat(_, statements) => mentioned(statements, all),
+            Statement::Scan(_) | Statement::Wait(_) | Statement::Reset => {}
+        }
+    }
 }
 
 /// The variables that the expectations of a program read, in text order.
@@ -120,7 +144,9 @@ pub fn explain(
         [] => "this never conducts".to_owned(),
         values => values.join(", "),
     };
-    Failure { span: expect.spans[element], text }
+    let mut variables = Vec::new();
+    element_variables(&expect.network[element], &mut variables);
+    Failure { span: expect.spans[element], text, variables }
 }
 
 /// Calls `see` with every place that an expression reads, in text order.

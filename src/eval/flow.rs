@@ -3,7 +3,9 @@
 use super::Evaluator;
 use super::recorder::{Recorder, Recording};
 use super::scene::Scene;
-use crate::model::{ArgumentValue, Call, Element, Expr, ExprKind, Net, Place, Program, Series};
+use crate::model::{
+    ArgumentValue, Call, Element, Expr, ExprKind, Net, Place, Program, Rung, Series,
+};
 use crate::quantity;
 use crate::types::Type;
 
@@ -13,7 +15,7 @@ const TIME: usize = 12;
 /// One scan as it went through the rungs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Flow {
-    /// For each rung its elements in text order: a list before what is in it, a block before the
+    /// For each rung, in text order, its elements in text order: a list before what is in it, a block before the
     /// circuits that it is given.
     pub rungs: Vec<Vec<Seen>>,
 }
@@ -62,7 +64,10 @@ impl Flow {
             walk.series(network, true);
             walk.seen
         };
-        Flow { rungs: program.rungs.iter().map(|rung| seen(&rung.network)).collect() }
+        // They may be executed in another order than they are drawn in.
+        let mut rungs: Vec<&Rung> = program.rungs.iter().collect();
+        rungs.sort_by_key(|rung| rung.number);
+        Flow { rungs: rungs.into_iter().map(|rung| seen(&rung.network)).collect() }
     }
 }
 

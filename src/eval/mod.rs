@@ -12,10 +12,12 @@ mod stimulus;
 mod why;
 
 pub use evaluator::Evaluator;
-pub use expectation::{Failure, conducts, explain, variables_of, variables_of_tests};
+pub use expectation::{
+    Failure, conducts, explain, variables_of, variables_of_test, variables_of_tests,
+};
 pub use flow::{Flow, Reading, Seen, value_text};
 pub use machine::{Machine, Row};
 pub use runner::{Outcome, run_test, run_test_on};
 #[cfg(feature = "cli")]
 pub use stimulus::{Stimulus, TICK};
-pub use why::{Cause, Place, Power, Reason, Subject, Why};
+pub use why::{Cause, Looked, Place, Power, Reason, ShownRung, Subject, Why};

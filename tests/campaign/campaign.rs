@@ -47,7 +47,7 @@ struct CheckOptions {
     #[arg(long, value_name = "N")]
     programs: u64,
     /// What to check
-    #[arg(long, value_delimiter = ',', default_value = "circuit,processor,metamorphic",
+    #[arg(long, value_delimiter = ',', default_value = "circuit,schedules,processor,metamorphic",
           value_parser = named)]
     checks: Vec<&'static Check>,
     /// The K-th of N parts of the work

@@ -9,7 +9,9 @@ use fastrand::Rng;
 use hotrail::backend::hdl::Language;
 
 use super::shrink::shrink;
-use super::{analyze, bulk, emulated, generate, lockstep, relay, require_tool, variants};
+use super::{
+    analyze, bulk, emulated, generate, lockstep, relay, require_tool, scheduled, variants,
+};
 
 /// Something that holds for every random program.
 pub struct Check {
@@ -46,7 +48,7 @@ pub struct Failure {
 }
 
 /// All of them.
-pub const ALL: &[Check] = &[CIRCUIT, PROCESSOR, METAMORPHIC, ICARUS, GHDL];
+pub const ALL: &[Check] = &[CIRCUIT, SCHEDULES, PROCESSOR, METAMORPHIC, ICARUS, GHDL];
 
 /// The circuit as shipped, with all its inside shown, as straight code and in 64 lanes.
 pub const CIRCUIT: Check = Check {
@@ -54,6 +56,15 @@ pub const CIRCUIT: Check = Check {
     shows: "evaluator = circuit",
     batch: 200,
     run: |seeds| one_by_one(seeds, circuit),
+    tools: &[],
+};
+
+/// The schedules that take several clocks for a scan.
+pub const SCHEDULES: Check = Check {
+    name: "schedules",
+    shows: "evaluator = circuits of several clocks a scan",
+    batch: 200,
+    run: |seeds| one_by_one(seeds, schedules),
     tools: &[],
 };
 
@@ -190,36 +201,39 @@ fn failed(wrong: &str, text: &str, fails: impl Fn(&str) -> bool) -> Outcome {
 /// Scans of a program in the checks without a simulator.
 const SCANS: usize = 200;
 
-fn circuit(seed: u64) -> Outcome {
-    let text = generate::program(seed);
-    let wrong = |text: &str| {
-        let program = analyze("random.ladder", text)?;
-        Ok::<_, String>(lockstep::difference(&program, SCANS, Rng::with_seed(seed)))
-    };
-    match caught(|| wrong(&text)) {
-        Ok(Ok(None)) => Outcome::Held { scans: SCANS as u64 },
-        Ok(Ok(Some(what))) | Err(what) => {
-            failed(&what, &text, |text| matches!(wrong(text), Ok(Some(_))))
-        }
-        Ok(Err(findings)) => Outcome::Failed(findings),
-    }
-}
-
-fn processor(seed: u64) -> Outcome {
-    let text = relay::program(seed);
-    let wrong = |text: &str| {
-        let (program, image) = emulated::compile(text)?;
-        Ok::<_, String>(emulated::difference(&program, &image, SCANS, Rng::with_seed(seed)))
-    };
-    match caught(|| wrong(&text)) {
-        Ok(Ok(None)) => Outcome::Held { scans: SCANS as u64 },
-        // It does not fit into the code memory.
+/// Holds that nothing is wrong with a program.
+fn held(text: &str, scans: u64, wrong: impl Fn(&str) -> Result<Option<String>, String>) -> Outcome {
+    match caught(|| wrong(text)) {
+        Ok(Ok(None)) => Outcome::Held { scans },
+        // It does not fit into the processor's code memory.
         Ok(Err(findings)) if findings.contains("E0802") => Outcome::Skipped,
         Ok(Err(findings)) => Outcome::Failed(format!("{findings}\n{text}")),
         Ok(Ok(Some(what))) | Err(what) => {
-            failed(&what, &text, |text| matches!(wrong(text), Ok(Some(_))))
+            failed(&what, text, |text| matches!(wrong(text), Ok(Some(_))))
         }
     }
+}
+
+fn circuit(seed: u64) -> Outcome {
+    held(&generate::program(seed), SCANS as u64, |text| {
+        let program = analyze("random.ladder", text)?;
+        Ok(lockstep::difference(&program, SCANS, Rng::with_seed(seed)))
+    })
+}
+
+fn schedules(seed: u64) -> Outcome {
+    const SCANS: usize = 100;
+    held(&generate::program(seed), 2 * SCANS as u64, |text| {
+        let program = analyze("random.ladder", text)?;
+        Ok(scheduled::differences(&program, SCANS, seed))
+    })
+}
+
+fn processor(seed: u64) -> Outcome {
+    held(&relay::program(seed), SCANS as u64, |text| {
+        let (program, image) = emulated::compile(text)?;
+        Ok(emulated::difference(&program, &image, SCANS, Rng::with_seed(seed)))
+    })
 }
 
 fn metamorphic(seed: u64) -> Outcome {

@@ -1,5 +1,6 @@
 //! Random programs, as text, that cover the language. One seed is one program.
 
+mod rungs;
 mod words;
 
 use std::fmt::Write;
@@ -26,6 +27,8 @@ struct Generator {
     /// Names and types of numbers that can be read, and those that can be written.
     numbers: Vec<(String, &'static str)>,
     targets: Vec<(String, &'static str)>,
+    /// Integers that count the steps of sequences.
+    steps: Vec<String>,
     arrays: Vec<Array>,
     /// Blocks still to be called.
     uncalled: Vec<Uncalled>,
@@ -67,6 +70,7 @@ fn program_of(seed: u64, has_products: bool) -> String {
         coils: Vec::new(),
         numbers: Vec::new(),
         targets: Vec::new(),
+        steps: Vec::new(),
         arrays: Vec::new(),
         uncalled: Vec::new(),
         instances: Vec::new(),
@@ -124,6 +128,13 @@ impl Generator {
                 }
             }
             self.array(kind, letter, text);
+        }
+        if self.chance(3) {
+            writeln!(text, "var step : INT").unwrap();
+            for list in [&mut self.numbers, &mut self.targets] {
+                list.push(("step".to_owned(), "INT"));
+            }
+            self.steps.push("step".to_owned());
         }
         for index in 0..self.random.usize(..4) {
             self.block(format!("b{index}"));
@@ -233,124 +244,6 @@ impl Generator {
             _ => ["`I_0_1`", "begin", "`motor an`", "Signal_u", "unsigned"],
         };
         if self.chance(6) { strange[index].to_owned() } else { format!("{letter}{index}") }
-    }
-
-    fn rung(&mut self, text: &mut String) {
-        let title = if self.chance(3) { " \"a title\"" } else { "" };
-        write!(text, "rung{title}").unwrap();
-        if !self.chance(4) {
-            let network = self.series(2);
-            write!(text, " {network}").unwrap();
-        }
-        let output = self.output();
-        writeln!(text, " {output}").unwrap();
-    }
-
-    /// A series that may act on the power and hold outputs.
-    fn series(&mut self, depth: u32) -> String {
-        let elements = 1 + self.random.usize(..4);
-        let list: Vec<String> = (0..elements).map(|_| self.element(depth)).collect();
-        list.join(" ")
-    }
-
-    fn element(&mut self, depth: u32) -> String {
-        match self.random.u32(..24) {
-            0 => self.output(),
-            1 => "rising".to_owned(),
-            2 => "falling".to_owned(),
-            3 => "not".to_owned(),
-            4 if !self.uncalled.is_empty() => self.call(),
-            5..=8 if depth > 0 => {
-                let branches = 1 + self.random.usize(..3);
-                let list: Vec<String> = (0..branches).map(|_| self.series(depth - 1)).collect();
-                format!("[ {} ]", list.join(" | "))
-            }
-            _ => self.look(depth),
-        }
-    }
-
-    /// A series that only looks.
-    fn looks(&mut self, depth: u32) -> String {
-        let elements = 1 + self.random.usize(..3);
-        let list: Vec<String> = (0..elements).map(|_| self.look(depth)).collect();
-        list.join(" ")
-    }
-
-    /// A general network, some of whose nodes may lead nowhere.
-    fn net(&mut self, depth: u32) -> String {
-        self.in_net = true;
-        let inner = self.random.usize(..5);
-        let mut nodes = vec!["left".to_owned()];
-        nodes.extend((0..inner).map(|node| format!("n{node}")));
-        nodes.push("right".to_owned());
-        // One path at least, then connections between any two nodes.
-        let through = self.random.usize(1..=inner + 1);
-        let mut ends: Vec<(usize, usize)> = (0..through)
-            .map(|node| (node, if node + 1 == through { inner + 1 } else { node + 1 }))
-            .collect();
-        for _ in 0..self.random.usize(..inner * 2 + 2) {
-            let from = self.random.usize(..nodes.len());
-            let to = (from + self.random.usize(1..nodes.len())) % nodes.len();
-            ends.push((from, to));
-        }
-        let mut text = "net {".to_owned();
-        self.random.shuffle(&mut ends);
-        for (from, to) in ends {
-            let arrow = self.pick(&["->", "<->"]);
-            let path = self.looks(depth);
-            write!(text, " {} {arrow} {} : {path}", nodes[from], nodes[to]).unwrap();
-        }
-        self.in_net = false;
-        text + " }"
-    }
-
-    fn look(&mut self, depth: u32) -> String {
-        match self.random.u32(..16) {
-            0 if depth > 0 && !self.in_net => self.net(depth - 1),
-            0 => self.pick(&["TRUE", "FALSE"]).to_owned(),
-            1..=2 => {
-                let bits: Vec<String> =
-                    self.bits.iter().filter(|bit| *bit != "first_scan").cloned().collect();
-                let inner = if self.chance(4) { self.inner_bit(false) } else { None };
-                let (edge, bit) = (self.pick(&["rise", "fall"]), self.pick(&bits));
-                let bit = inner.unwrap_or(bit);
-                format!("{edge}({bit})")
-            }
-            3..=4 => {
-                let condition = self.condition(depth);
-                format!("{{ {condition} }}")
-            }
-            5..=6 if depth > 0 => {
-                let branches = 1 + self.random.usize(..3);
-                let list: Vec<String> = (0..branches).map(|_| self.looks(depth - 1)).collect();
-                format!("[ {} ]", list.join(" | "))
-            }
-            _ => {
-                let inner = if self.chance(4) { self.inner_bit(false) } else { None };
-                let bit = inner.unwrap_or_else(|| self.pick(&self.bits.clone()));
-                format!("{}{bit}", self.pick(&["", "", "!"]))
-            }
-        }
-    }
-
-    fn output(&mut self) -> String {
-        match self.random.u32(..12) {
-            0..=2 if !self.targets.is_empty() => {
-                let element = if self.chance(4) { self.target_element() } else { None };
-                let (target, ty) = element.unwrap_or_else(|| self.pick(&self.targets.clone()));
-                let value = self.number(ty, 2);
-                format!("{{ {target} := {value} }}")
-            }
-            3 if !self.instances.is_empty() => {
-                format!("(R {})", self.pick(&self.instances.clone()))
-            }
-            _ => {
-                let inner = if self.chance(4) { self.inner_bit(true) } else { None };
-                let coil = inner.unwrap_or_else(|| self.pick(&self.coils.clone()));
-                let action = self.pick(&["", "", "", "", "!", "S ", "R ", "rise ", "fall "]);
-                format!("({action}{coil})")
-            }
-        }
     }
 
     fn call(&mut self) -> String {

@@ -55,3 +55,55 @@ fn script(name: &str) -> String {
          equiv_simple; equiv_induct; equiv_status -assert"
     )
 }
+
+/// True if Yosys proves both editions of the ladder processor equal. Parameters have a Verilog name,
+/// a VHDL name and a value.
+///
+/// # Panics
+/// If one of them cannot be read.
+pub fn processors_are_equal(
+    folder: &Path,
+    verilog: &str,
+    vhdl: &str,
+    parameters: &[(&str, &str, u32)],
+) -> bool {
+    run(folder, "ghdl", &["-a", "--std=93", vhdl]);
+    let generics: Vec<String> =
+        parameters.iter().map(|(_, name, value)| format!("-g{name}={value}")).collect();
+    let mut synth = vec!["--synth", "--std=93", "--out=verilog"];
+    synth.extend(generics.iter().map(String::as_str));
+    synth.push("ladder_processor");
+    let read = run(folder, "ghdl", &synth);
+    let read = read.split_once("module ").expect("notes come first").1;
+    let mut gate = format!("module {}", repair_vectors(read).to_lowercase());
+    // The editions name what stands in a generate block in their own ways.
+    for name in [
+        "functions.function_unit",
+        "functions.register_array",
+        "functions.waiting",
+        "timing.pulses",
+    ] {
+        for end in [" ", ";", ")", ","] {
+            let flat = format!(" {}{end}", name.replace('.', "_"));
+            gate = gate.replace(&flat, &format!(" \\{name} {end}"));
+        }
+    }
+    fs::write(folder.join("gate.v"), gate).unwrap();
+    let verilog = fs::read_to_string(folder.join(verilog)).unwrap();
+    fs::write(folder.join("gold.v"), verilog.replace("RM_", "rm_")).unwrap();
+    let set: String =
+        parameters.iter().map(|(name, _, value)| format!(" -set {name} {value}")).collect();
+    let script = script("ladder_processor").replace(
+        "read_verilog gold.v;",
+        &match set.as_str() {
+            "" => "read_verilog gold.v;".to_owned(),
+            set => format!("read_verilog gold.v; chparam{set} ladder_processor;"),
+        },
+    );
+    let mut yosys = Command::new("yosys");
+    let output = yosys.args(["-q", "-p", &script]).current_dir(folder).output().unwrap();
+    let text = String::from_utf8_lossy(&output.stderr).into_owned();
+    let unproven = text.contains("unproven $equiv");
+    assert!(output.status.success() || unproven, "{text}");
+    !unproven
+}

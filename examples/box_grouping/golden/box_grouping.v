@@ -22,13 +22,11 @@ module box_grouping_TOF_PT1000 (
   reg run = 1'b0;
   reg was = 1'b0;
 
-  wire equal = ET == 10'd1000;
-  wire [9:0] sum = ET + {9'b0, tick & ~equal};
+  wire [9:0] sum = ET + {9'b0, tick};
+  wire equal = ET == 10'd999;
   wire [9:0] choice = was ? 10'd0 : sum;
-  wire equal_2 = ET == 10'd999;
-  wire [9:0] choice_2 = run ? choice : ET;
-  wire [9:0] ET_next = power ? 10'd0 : choice_2;
-  wire run_next = power | run & ~(~was & (tick & equal_2 | equal));
+  wire [9:0] ET_next = power ? 10'd0 : choice;
+  wire run_next = power | run & ~(~was & tick & equal);
 
   assign Q = run_next;
 

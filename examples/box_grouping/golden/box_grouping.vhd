@@ -24,21 +24,17 @@ architecture rtl of box_grouping_TOF_PT1000 is
   signal ET : unsigned(9 downto 0) := (others => '0');
   signal run : std_logic := '0';
   signal was : std_logic := '0';
-  signal equal : std_logic;
   signal sum : unsigned(9 downto 0);
+  signal equal : std_logic;
   signal choice : unsigned(9 downto 0);
-  signal equal_2 : std_logic;
-  signal choice_2 : unsigned(9 downto 0);
   signal ET_next : unsigned(9 downto 0);
   signal run_next : std_logic;
 begin
-  equal <= '1' when ET = 1000 else '0';
-  sum <= ET + (to_unsigned(0, 9) & (tick and not equal));
+  sum <= ET + (to_unsigned(0, 9) & tick);
+  equal <= '1' when ET = 999 else '0';
   choice <= to_unsigned(0, 10) when was = '1' else sum;
-  equal_2 <= '1' when ET = 999 else '0';
-  choice_2 <= choice when run = '1' else ET;
-  ET_next <= to_unsigned(0, 10) when power = '1' else choice_2;
-  run_next <= power or (run and not (not was and ((tick and equal_2) or equal)));
+  ET_next <= to_unsigned(0, 10) when power = '1' else choice;
+  run_next <= power or (run and not (not was and tick and equal));
 
   Q <= run_next;
 

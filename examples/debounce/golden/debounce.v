@@ -63,13 +63,11 @@ module debounce_TOF_PT5 (
   reg run = 1'b0;
   reg was = 1'b0;
 
-  wire equal = ET == 3'd5;
-  wire [2:0] sum = ET + {2'b0, tick & ~equal};
+  wire [2:0] sum = ET + {2'b0, tick};
+  wire equal = ET == 3'd4;
   wire [2:0] choice = was ? 3'd0 : sum;
-  wire equal_2 = ET == 3'd4;
-  wire [2:0] choice_2 = run ? choice : ET;
-  wire [2:0] ET_next = power ? 3'd0 : choice_2;
-  wire run_next = power | run & ~(~was & (tick & equal_2 | equal));
+  wire [2:0] ET_next = power ? 3'd0 : choice;
+  wire run_next = power | run & ~(~was & tick & equal);
 
   assign Q = run_next;
 

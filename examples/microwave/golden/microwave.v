@@ -70,13 +70,11 @@ module microwave_TOF_PT30 (
   reg run = 1'b0;
   reg was = 1'b0;
 
-  wire equal = ET == 5'd30;
-  wire [4:0] sum = ET + {4'b0, tick & ~equal};
+  wire [4:0] sum = ET + {4'b0, tick};
+  wire equal = ET == 5'd29;
   wire [4:0] choice = was ? 5'd0 : sum;
-  wire equal_2 = ET == 5'd29;
-  wire [4:0] choice_2 = run ? choice : ET;
-  wire [4:0] ET_next = power ? 5'd0 : choice_2;
-  wire run_next = power | run & ~(~was & (tick & equal_2 | equal));
+  wire [4:0] ET_next = power ? 5'd0 : choice;
+  wire run_next = power | run & ~(~was & tick & equal);
 
   assign Q = run_next;
 

@@ -91,21 +91,17 @@ architecture rtl of microwave_TOF_PT30 is
   signal ET : unsigned(4 downto 0) := (others => '0');
   signal run : std_logic := '0';
   signal was : std_logic := '0';
-  signal equal : std_logic;
   signal sum : unsigned(4 downto 0);
+  signal equal : std_logic;
   signal choice : unsigned(4 downto 0);
-  signal equal_2 : std_logic;
-  signal choice_2 : unsigned(4 downto 0);
   signal ET_next : unsigned(4 downto 0);
   signal run_next : std_logic;
 begin
-  equal <= '1' when ET = 30 else '0';
-  sum <= ET + (to_unsigned(0, 4) & (tick and not equal));
+  sum <= ET + (to_unsigned(0, 4) & tick);
+  equal <= '1' when ET = 29 else '0';
   choice <= to_unsigned(0, 5) when was = '1' else sum;
-  equal_2 <= '1' when ET = 29 else '0';
-  choice_2 <= choice when run = '1' else ET;
-  ET_next <= to_unsigned(0, 5) when power = '1' else choice_2;
-  run_next <= power or (run and not (not was and ((tick and equal_2) or equal)));
+  ET_next <= to_unsigned(0, 5) when power = '1' else choice;
+  run_next <= power or (run and not (not was and tick and equal));
 
   Q <= run_next;
 

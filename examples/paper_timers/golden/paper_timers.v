@@ -71,11 +71,10 @@ module paper_timers_TS_OFF_PV3 (
   wire equal = ACC == 2'd3;
   wire [1:0] sum = ACC + {1'b0, run & unit & ~equal};
   wire condition = run & was;
-  wire [1:0] choice = condition ? 2'd0 : sum;
-  wire [1:0] choice_2 = power ? 2'd0 : choice;
   wire equal_2 = ACC == 2'd2;
   wire condition_2 = power | run & ~(~power & ~condition & (run & unit & equal_2 | equal));
-  wire [1:0] ACC_next = EN ? choice_2 : 2'd0;
+  wire [1:0] choice = condition ? 2'd0 : sum;
+  wire [1:0] ACC_next = power ? 2'd0 : choice;
   wire run_next = EN & condition_2;
 
   assign Q = EN & condition_2;
@@ -150,18 +149,13 @@ module paper_timers_TT_INTERVAL_PV4 (
   reg run = 1'b0;
   reg was = 1'b0;
 
-  wire equal = ACC == 3'd4;
-  wire [2:0] sum = ACC + {2'b0, unit & ~equal};
-  wire equal_2 = ACC == 3'd3;
-  wire condition = power & ~was;
-  wire [2:0] choice = condition ? 3'd0 : ACC;
-  wire [2:0] choice_2 = run ? sum : choice;
-  wire choice_3 = run ? ~(unit & equal_2 | equal) : condition;
-  wire [2:0] choice_4 = (choice_3 | power) ? choice_2 : 3'd0;
-  wire [2:0] ACC_next = EN ? choice_4 : 3'd0;
-  wire run_next = EN & choice_3;
+  wire [2:0] sum = ACC + {2'b0, unit};
+  wire equal = ACC == 3'd3;
+  wire choice = run ? ~(unit & equal) : power & ~was;
+  wire [2:0] ACC_next = run ? sum : 3'd0;
+  wire run_next = EN & choice;
 
-  assign Q = EN & choice_3;
+  assign Q = EN & choice;
 
   always @(posedge clk) begin
     if (rst) begin

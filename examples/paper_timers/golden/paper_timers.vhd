@@ -97,23 +97,21 @@ architecture rtl of paper_timers_TS_OFF_PV3 is
   signal equal : std_logic;
   signal sum : unsigned(1 downto 0);
   signal condition : std_logic;
-  signal choice : unsigned(1 downto 0);
-  signal choice_2 : unsigned(1 downto 0);
   signal equal_2 : std_logic;
   signal condition_2 : std_logic;
+  signal choice : unsigned(1 downto 0);
   signal ACC_next : unsigned(1 downto 0);
   signal run_next : std_logic;
 begin
   equal <= '1' when ACC = 3 else '0';
   sum <= ACC + (to_unsigned(0, 1) & (run and unit and not equal));
   condition <= run and was;
-  choice <= to_unsigned(0, 2) when condition = '1' else sum;
-  choice_2 <= to_unsigned(0, 2) when power = '1' else choice;
   equal_2 <= '1' when ACC = 2 else '0';
   condition_2 <=
       power
       or (run and not (not power and not condition and ((run and unit and equal_2) or equal)));
-  ACC_next <= choice_2 when EN = '1' else to_unsigned(0, 2);
+  choice <= to_unsigned(0, 2) when condition = '1' else sum;
+  ACC_next <= to_unsigned(0, 2) when power = '1' else choice;
   run_next <= EN and condition_2;
 
   Q <= EN and condition_2;
@@ -214,29 +212,19 @@ architecture rtl of paper_timers_TT_INTERVAL_PV4 is
   signal ACC : unsigned(2 downto 0) := (others => '0');
   signal run : std_logic := '0';
   signal was : std_logic := '0';
-  signal equal : std_logic;
   signal sum : unsigned(2 downto 0);
-  signal equal_2 : std_logic;
-  signal condition : std_logic;
-  signal choice : unsigned(2 downto 0);
-  signal choice_2 : unsigned(2 downto 0);
-  signal choice_3 : std_logic;
-  signal choice_4 : unsigned(2 downto 0);
+  signal equal : std_logic;
+  signal choice : std_logic;
   signal ACC_next : unsigned(2 downto 0);
   signal run_next : std_logic;
 begin
-  equal <= '1' when ACC = 4 else '0';
-  sum <= ACC + (to_unsigned(0, 2) & (unit and not equal));
-  equal_2 <= '1' when ACC = 3 else '0';
-  condition <= power and not was;
-  choice <= to_unsigned(0, 3) when condition = '1' else ACC;
-  choice_2 <= sum when run = '1' else choice;
-  choice_3 <= not ((unit and equal_2) or equal) when run = '1' else condition;
-  choice_4 <= choice_2 when (choice_3 or power) = '1' else to_unsigned(0, 3);
-  ACC_next <= choice_4 when EN = '1' else to_unsigned(0, 3);
-  run_next <= EN and choice_3;
+  sum <= ACC + (to_unsigned(0, 2) & unit);
+  equal <= '1' when ACC = 3 else '0';
+  choice <= not (unit and equal) when run = '1' else power and not was;
+  ACC_next <= sum when run = '1' else to_unsigned(0, 3);
+  run_next <= EN and choice;
 
-  Q <= EN and choice_3;
+  Q <= EN and choice;
 
   process (clk)
   begin

@@ -57,14 +57,10 @@ module spray_machine_TP_PT20 (
   reg run = 1'b0;
   reg was = 1'b0;
 
-  wire equal = ET == 5'd20;
-  wire [4:0] sum = ET + {4'b0, tick & ~equal};
-  wire equal_2 = ET == 5'd19;
-  wire condition = power & ~was;
-  wire [4:0] choice = condition ? 5'd0 : ET;
-  wire [4:0] choice_2 = run ? sum : choice;
-  wire run_next = run ? ~(tick & equal_2 | equal) : condition;
-  wire [4:0] ET_next = (run_next | power) ? choice_2 : 5'd0;
+  wire [4:0] sum = ET + {4'b0, tick};
+  wire equal = ET == 5'd19;
+  wire run_next = run ? ~(tick & equal) : power & ~was;
+  wire [4:0] ET_next = run ? sum : 5'd0;
 
   assign Q = run_next;
 

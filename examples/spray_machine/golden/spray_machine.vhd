@@ -75,23 +75,15 @@ architecture rtl of spray_machine_TP_PT20 is
   signal ET : unsigned(4 downto 0) := (others => '0');
   signal run : std_logic := '0';
   signal was : std_logic := '0';
-  signal equal : std_logic;
   signal sum : unsigned(4 downto 0);
-  signal equal_2 : std_logic;
-  signal condition : std_logic;
-  signal choice : unsigned(4 downto 0);
-  signal choice_2 : unsigned(4 downto 0);
+  signal equal : std_logic;
   signal run_next : std_logic;
   signal ET_next : unsigned(4 downto 0);
 begin
-  equal <= '1' when ET = 20 else '0';
-  sum <= ET + (to_unsigned(0, 4) & (tick and not equal));
-  equal_2 <= '1' when ET = 19 else '0';
-  condition <= power and not was;
-  choice <= to_unsigned(0, 5) when condition = '1' else ET;
-  choice_2 <= sum when run = '1' else choice;
-  run_next <= not ((tick and equal_2) or equal) when run = '1' else condition;
-  ET_next <= choice_2 when (run_next or power) = '1' else to_unsigned(0, 5);
+  sum <= ET + (to_unsigned(0, 4) & tick);
+  equal <= '1' when ET = 19 else '0';
+  run_next <= not (tick and equal) when run = '1' else power and not was;
+  ET_next <= sum when run = '1' else to_unsigned(0, 5);
 
   Q <= run_next;
 

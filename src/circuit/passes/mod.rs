@@ -15,6 +15,7 @@ mod ports;
 mod rebuild;
 mod saturate;
 mod share;
+mod unseen;
 
 use super::{Circuit, Design};
 use ports::Shown;
@@ -31,6 +32,7 @@ const PASSES: &[Pass] = &[
     narrow::narrow,
     ahead::compare_ahead,
     merge::merge,
+    unseen::forget_unseen,
     share::share,
 ];
 

@@ -49,9 +49,10 @@ pub fn share(circuit: &Circuit) -> Option<Circuit> {
     if chosen.is_empty() {
         return None;
     }
+    let mut made = Made::new();
     Some(rebuild(circuit, |rebuild, net, cell| match chosen.get(&net) {
         None => rebuild.copy(cell),
-        Some(choice) => choice.make(rebuild, cell),
+        Some(choice) => choice.make(rebuild, &mut made, net, cell),
     }))
 }
 
@@ -195,19 +196,17 @@ impl Conditions<'_> {
         if depth == 0 {
             return nets;
         }
-        let list = |operands| &self.circuit.list(operands)[..];
         match self.circuit.cell(net).op {
             Op::Not(from) => nets.extend(self.forcing(from, !value, depth - 1)),
-            Op::And(operands) | Op::Or(operands) => {
+            Op::And(list) | Op::Or(list) => {
                 let is_and = matches!(self.circuit.cell(net).op, Op::And(_));
-                let mut parts = list(operands)
-                    .iter()
-                    .take(LIST)
-                    .map(|&operand| self.forcing(operand, value, depth - 1));
+                let list = self.circuit.list(list);
+                let mut parts =
+                    list.iter().take(LIST).map(|&operand| self.forcing(operand, value, depth - 1));
                 if is_and != value {
                     // One operand is enough.
                     nets.extend(parts.flatten());
-                } else if list(operands).len() <= LIST {
+                } else if list.len() <= LIST {
                     let first = parts.next().unwrap_or_default();
                     nets.extend(parts.fold(first, common));
                 }
@@ -242,9 +241,11 @@ struct Chosen {
 }
 
 impl Chosen {
-    fn make(&self, rebuild: &mut Rebuild<'_>, cell: Cell) -> Net {
-        let holds = self.force.is_none();
-        let moved = copy_where(rebuild, (self.condition, holds), cell, DEPTH);
+    fn make(&self, rebuild: &mut Rebuild<'_>, made: &mut Made, net: Net, cell: Cell) -> Net {
+        let known = (self.condition, self.force.is_none());
+        let moved = copy_where(rebuild, made, known, cell, DEPTH);
+        // Who reads this one under the same condition reads what is behind the choice.
+        made.insert((known, net), moved);
         let condition = rebuild.net(self.condition);
         match self.force {
             Some(bit) => {
@@ -259,29 +260,55 @@ impl Chosen {
     }
 }
 
+/// A condition that holds or does not.
+type Known = (Net, bool);
+
+/// The copies of nets as simple as they are under a condition.
+type Made = HashMap<(Known, Net), Net>;
+
 /// The copy of a cell as simple as it is where a condition is known.
-fn copy_where(rebuild: &mut Rebuild<'_>, known: (Net, bool), cell: Cell, depth: u32) -> Net {
+fn copy_where(
+    rebuild: &mut Rebuild<'_>,
+    made: &mut Made,
+    known: Known,
+    cell: Cell,
+    depth: u32,
+) -> Net {
     let from = rebuild.from;
     let mut operands = BTreeMap::new();
     from.for_each_operand(cell, |net| {
         operands.insert(net, net);
     });
     for (&net, copy) in &mut operands {
-        *copy = net_where(rebuild, known, net, depth);
+        *copy = net_where(rebuild, made, known, net, depth);
     }
     copy_cell(&mut rebuild.to, from, cell, |net| operands[&net])
 }
 
-fn net_where(rebuild: &mut Rebuild<'_>, known: (Net, bool), net: Net, depth: u32) -> Net {
+fn net_where(
+    rebuild: &mut Rebuild<'_>,
+    made: &mut Made,
+    known: Known,
+    net: Net,
+    depth: u32,
+) -> Net {
     if net == known.0 {
         return rebuild.to.bit(known.1);
     }
+    if let Some(&copy) = made.get(&(known, net)) {
+        return copy;
+    }
     let cell = rebuild.from.cell(net);
-    let is_gate = matches!(cell.op, Op::Not(_) | Op::And(_) | Op::Or(_) | Op::Mux { .. });
-    if depth == 0 || !is_gate || !depends(rebuild.from, known.0, net, depth) {
+    if depth == 0 || !is_gate(cell) || !depends(rebuild.from, known.0, net, depth) {
         return rebuild.net(net);
     }
-    copy_where(rebuild, known, cell, depth - 1)
+    let copy = copy_where(rebuild, made, known, cell, depth - 1);
+    made.insert((known, net), copy);
+    copy
+}
+
+fn is_gate(cell: Cell) -> bool {
+    matches!(cell.op, Op::Not(_) | Op::And(_) | Op::Or(_) | Op::Mux { .. })
 }
 
 /// True if a net is among what the other one is made of, not too deep.
@@ -290,16 +317,12 @@ fn depends(circuit: &Circuit, on: Net, net: Net, depth: u32) -> bool {
         return true;
     }
     // What stands in front of it cannot depend on it.
-    if depth == 0 || net < on {
+    if depth == 0 || net < on || !is_gate(circuit.cell(net)) {
         return false;
     }
-    let cell = circuit.cell(net);
-    let is_gate = matches!(cell.op, Op::Not(_) | Op::And(_) | Op::Or(_) | Op::Mux { .. });
     let mut found = false;
-    if is_gate {
-        circuit.for_each_operand(cell, |operand| {
-            found = found || depends(circuit, on, operand, depth - 1);
-        });
-    }
+    circuit.for_each_operand(circuit.cell(net), |operand| {
+        found = found || depends(circuit, on, operand, depth - 1);
+    });
     found
 }

@@ -3,13 +3,22 @@
 use std::collections::HashMap;
 
 use super::Interval;
-use crate::circuit::{Circuit, Net, Op};
+use crate::circuit::{Cell, Circuit, Net, Op};
 
 /// How many cells one question looks at. Behind them the interval stands that holds without any
 /// condition, so that the time does not grow with the circuit.
 const BUDGET: u32 = 200;
 /// How many operands of a list are looked at; the others may be any word.
 const OPERANDS: usize = 64;
+
+/// Something that holds and of which it is open why.
+#[derive(Clone, Copy)]
+enum Undecided<'a> {
+    /// Some operand is 0 (if true) or 1.
+    List(&'a [Net], bool),
+    /// One bit or the other, as the first decides, is that value.
+    Choice([Net; 3], bool),
+}
 
 /// Conditions that hold, and what follows from them.
 pub struct Assumptions<'a> {
@@ -18,8 +27,8 @@ pub struct Assumptions<'a> {
     always: &'a HashMap<Net, Interval>,
     /// What is known of nets, the newest last.
     known: Vec<(Net, Interval)>,
-    /// Lists of which some operand is 0 (if true) or 1, the newest last.
-    undecided: Vec<(&'a [Net], bool)>,
+    /// What follows as soon as more is known, the newest last.
+    undecided: Vec<Undecided<'a>>,
     budget: u32,
 }
 
@@ -50,7 +59,7 @@ impl<'a> Assumptions<'a> {
     pub fn assume(&mut self, bit: Net, value: bool) -> bool {
         // What is known now may decide what was left open before.
         let open = self.undecided.clone();
-        self.follow(bit, value) && open.into_iter().all(|(list, all)| self.decide(list, all))
+        self.follow(bit, value) && open.into_iter().all(|open| self.decide(open))
     }
 
     /// Learns what follows from a bit alone.
@@ -70,12 +79,16 @@ impl<'a> Assumptions<'a> {
             Op::Eq(a, b) => self.assume_equal(a, b, value),
             Op::Less { a, b, signed } if value => self.assume_order(a, b, signed, 1),
             Op::Less { a, b, signed } => self.assume_order(b, a, signed, 0),
+            Op::Mux { select, on, off } => {
+                let open = Undecided::Choice([select, on, off], value);
+                self.undecided.push(open);
+                self.decide(open)
+            }
             Op::Input(_)
             | Op::Register(_)
             | Op::Port(..)
             | Op::Const(_)
             | Op::Xor(..)
-            | Op::Mux { .. }
             | Op::Add(..)
             | Op::Sub(..)
             | Op::Mul(..)
@@ -108,9 +121,18 @@ impl<'a> Assumptions<'a> {
         bits: u64,
         then: impl FnOnce(&mut Self) -> T,
     ) -> Option<T> {
+        self.where_in(net, Interval::bits(bits, self.circuit.width(net)), then)
+    }
+
+    /// Runs `then` as if a net were in an interval, and forgets it again. Nothing if it cannot be.
+    pub fn where_in<T>(
+        &mut self,
+        net: Net,
+        interval: Interval,
+        then: impl FnOnce(&mut Self) -> T,
+    ) -> Option<T> {
         let known = self.known.len();
-        let is = Interval::bits(bits, self.circuit.width(net));
-        let result = if self.learn(net, is) { Some(then(self)) } else { None };
+        let result = if self.learn(net, interval) { Some(then(self)) } else { None };
         self.known.truncate(known);
         result
     }
@@ -119,10 +141,11 @@ impl<'a> Assumptions<'a> {
         let known = self.known.iter().rev().find(|(other, _)| *other == net);
         let always = || self.always.get(&net).copied();
         let constant = || {
-            let width = self.circuit.width(net);
-            match self.circuit.constant_value(net) {
-                Some(bits) => Interval::bits(bits, width),
-                None => Interval::full(width),
+            let Cell { op, width } = self.circuit.cell(net);
+            match op {
+                Op::Const(bits) => Interval::bits(bits, width),
+                Op::Not(from) => self.found(from).not(),
+                _ => Interval::full(width),
             }
         };
         known.map(|(_, interval)| *interval).or_else(always).unwrap_or_else(constant)
@@ -142,12 +165,34 @@ impl<'a> Assumptions<'a> {
         if list.len() > OPERANDS {
             return true;
         }
-        self.undecided.push((list, all));
-        self.decide(list, all)
+        let open = Undecided::List(list, all);
+        self.undecided.push(open);
+        self.decide(open)
+    }
+
+    fn decide(&mut self, open: Undecided<'a>) -> bool {
+        match open {
+            Undecided::List(list, all) => self.decide_list(list, all),
+            Undecided::Choice(nets, value) => self.decide_choice(nets, value),
+        }
+    }
+
+    /// What is chosen is that value; what cannot be it is not chosen.
+    fn decide_choice(&mut self, [select, on, off]: [Net; 3], value: bool) -> bool {
+        let bit = |net: Net| self.found(net).single().map(|bit| bit != 0);
+        let can_be = |net: Net| bit(net) != Some(!value);
+        match (bit(select), can_be(on), can_be(off)) {
+            (Some(true), true, _) => self.follow(on, value),
+            (Some(false), _, true) => self.follow(off, value),
+            (None, true, false) => self.follow(select, true) && self.follow(on, value),
+            (None, false, true) => self.follow(select, false) && self.follow(off, value),
+            (None, true, true) => true,
+            _ => false,
+        }
     }
 
     /// One operand at least is not `all`: if only one can be, it is.
-    fn decide(&mut self, list: &[Net], all: bool) -> bool {
+    fn decide_list(&mut self, list: &[Net], all: bool) -> bool {
         let mut open = list
             .iter()
             .filter(|&&operand| self.found(operand).single().is_none_or(|bit| (bit != 0) != all));

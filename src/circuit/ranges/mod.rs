@@ -51,9 +51,48 @@ impl Ranges {
         self.assumptions(circuit).interval(net)
     }
 
+    /// What the value of a register, whose net `word` is, can be in the scans in which the one of
+    /// a flag is 1. Nothing if the flag is never 1, or too much is possible.
+    pub fn interval_while(&self, circuit: &Circuit, word: Net, flag: Net) -> Option<Interval> {
+        let (Op::Register(id), Op::Register(flag_id)) =
+            (circuit.cell(word).op, circuit.cell(flag).op)
+        else {
+            return None;
+        };
+        let (register, comes_on) = (&circuit.registers[id], circuit.registers[flag_id].next);
+        // What it takes where the flag is now that bit, and will be on.
+        let next = |now: bool, interval: Interval| {
+            let next = self.assumptions(circuit).where_in(word, interval, |under| {
+                under.under(flag, now, |under| {
+                    under.under(comes_on, true, |under| under.interval(register.next))
+                })
+            });
+            next.flatten().flatten()
+        };
+        let marks = marks(circuit, id);
+        let is_on = circuit.registers[flag_id].reset == 1;
+        let reset = is_on.then(|| Interval::bits(register.reset, register.width));
+        let start = next(false, self.interval(circuit, word));
+        let mut interval = join(reset, start)?;
+        for _ in 0..GROWTHS {
+            match next(true, interval) {
+                Some(next) if !interval.contains(next) => interval = interval.widen(next, &marks),
+                _ => return Some(interval),
+            }
+        }
+        None
+    }
+
     /// To ask what a net can be under conditions.
     pub fn assumptions<'a>(&'a self, circuit: &'a Circuit) -> Assumptions<'a> {
         Assumptions::new(circuit, &self.nets)
+    }
+}
+
+fn join(a: Option<Interval>, b: Option<Interval>) -> Option<Interval> {
+    match (a, b) {
+        (Some(a), Some(b)) => Some(a.join(b)),
+        (a, b) => a.or(b),
     }
 }
 

@@ -4,6 +4,7 @@
 //! same step in every scan, as the elapsed time of a timer does, counts as nothing that happens.
 
 mod picture;
+mod ruler;
 
 use super::words::{harmless, shortened};
 use crate::eval::value_text;
@@ -20,6 +21,8 @@ const MOST_STRETCHES: usize = 2_000;
 pub struct Timing {
     name: String,
     title: Option<String>,
+    /// What is said of the run.
+    note: Option<String>,
     tick_ns: u64,
     lanes: Vec<Lane>,
     /// Which scans have the tick; drawn if not all do.
@@ -63,6 +66,7 @@ impl Timing {
         Timing {
             name: program.name.clone(),
             title: program.title.as_deref().map(harmless),
+            note: None,
             tick_ns: program.tick_ns,
             lanes: variables.iter().map(lane).collect(),
             tick: Lane::new(None, "tick", Type::Bool),
@@ -72,6 +76,11 @@ impl Timing {
             drawn: 0,
             scans: 0,
         }
+    }
+
+    /// Says something of the run, above the diagram.
+    pub fn note(&mut self, note: &str) {
+        self.note = Some(harmless(note));
     }
 
     /// Takes down the values after one more scan.

@@ -1,11 +1,11 @@
 //! A timing diagram as SVG. The scans between two events are a stretch; stretches stand beside each
 //! other in strips, as many as fit.
 
-use std::fmt::Write;
 use std::ops::Range;
 
 use askama::Template;
 
+use super::ruler::{InStrip, MOST_SCANS, Ruler, SCAN, Stretch, parts, write};
 use super::{Lane, Segment, Timing};
 use crate::draw::svg::MADE_BY;
 use crate::draw::words::{lines, width};
@@ -14,12 +14,6 @@ use crate::types::Type;
 
 /// Around the whole picture, in pixels as everything here.
 const MARGIN: f32 = 24.0;
-/// Width of a scan.
-const SCAN: f32 = 26.0;
-/// Scans of a stretch that are drawn; a longer one has a gap.
-const MOST_SCANS: usize = 6;
-/// Widest strip without its names.
-const STRIP: f32 = 940.0;
 /// From lane to lane.
 const LANE: f32 = 32.0;
 /// Middle of a lane.
@@ -86,24 +80,6 @@ struct Number {
     text: String,
 }
 
-/// The scans between two events.
-struct Stretch {
-    scans: Range<usize>,
-    width: f32,
-}
-
-impl Stretch {
-    fn has_gap(&self) -> bool {
-        self.scans.len() > MOST_SCANS
-    }
-
-    /// Where its gap is, from its start.
-    fn gap(&self) -> Range<f32> {
-        let end = self.width - SCAN / 2.0;
-        if self.has_gap() { end - 1.5 * SCAN..end } else { end..end }
-    }
-}
-
 impl Timing {
     /// The diagram as one SVG picture: no scripts, no fonts or files of elsewhere.
     pub fn svg(&self) -> String {
@@ -114,7 +90,9 @@ impl Timing {
         let about = self.about();
         let mut y = MARGIN + 16.0;
         let mut heading = vec![("head", y, self.name.clone())];
-        let notes = self.title.iter().map(|title| ("note", title)).chain([("title", &about)]);
+        let title = self.title.iter().map(|title| ("note", title));
+        let note = self.note.iter().map(|note| ("title", note));
+        let notes = title.chain(note).chain([("note", &about)]);
         for (class, note) in notes {
             for line in lines(note, 100) {
                 y += 20.0;
@@ -253,6 +231,7 @@ impl Timing {
             Number { x: -10.0, y: y + 36.0, class: "axis e", text: "time".to_owned() },
         ];
         let mut free = [0.0_f32; 2];
+        let mut before = String::new();
         for (index, (stretch, &start)) in ruler.stretches.iter().zip(ruler.starts).enumerate() {
             let marks = if stretch.has_gap() { 1 } else { stretch.scans.len() };
             for mark in 0..marks {
@@ -270,6 +249,10 @@ impl Timing {
             let time = quantity::time_text(ticks * i128::from(self.tick_ns));
             for (row, text) in [stretch.scans.start.to_string(), time].into_iter().enumerate() {
                 let half = width(&text) as f32 * NUMBER / 2.0;
+                // Without the tick time stands still.
+                if row == 1 && std::mem::replace(&mut before, text.clone()) == text {
+                    continue;
+                }
                 if index == 0 || start - half > free[row] {
                     free[row] = start + half + 6.0;
                     let y = y + 20.0 + 16.0 * row as f32;
@@ -294,71 +277,6 @@ impl Timing {
             told += ", and so on";
         }
         told
-    }
-}
-
-/// Which stretches stand in each strip.
-fn parts(stretches: &[Stretch]) -> Vec<Range<usize>> {
-    let mut parts: Vec<Range<usize>> = Vec::new();
-    let mut used = 0.0;
-    for (index, stretch) in stretches.iter().enumerate() {
-        match parts.last_mut() {
-            Some(part) if used + stretch.width <= STRIP => part.end = index + 1,
-            _ => {
-                parts.push(index..index + 1);
-                used = 0.0;
-            }
-        }
-        used += stretch.width;
-    }
-    parts
-}
-
-/// Where the stretches of a strip are.
-struct Ruler<'s> {
-    stretches: &'s [Stretch],
-    starts: &'s [f32],
-    width: f32,
-}
-
-/// The part of a segment that stands in a strip.
-struct InStrip {
-    x: Range<f32>,
-    /// It begins here, not in a strip before.
-    begins: bool,
-    /// Another one follows here.
-    ends: bool,
-}
-
-impl Ruler<'_> {
-    fn piece(&self, segment: &Segment, drawn: usize) -> Option<InStrip> {
-        let (first, last) = (self.stretches.first()?, self.stretches.last()?);
-        let end = (segment.start + segment.scans).min(drawn);
-        if end <= first.scans.start || segment.start >= last.scans.end {
-            return None;
-        }
-        let at = |scan: usize| {
-            let index = self.stretches.partition_point(|stretch| stretch.scans.start < scan);
-            self.starts.get(index).copied().unwrap_or(self.width)
-        };
-        let x = at(segment.start.max(first.scans.start))..at(end);
-        let begins = segment.start >= first.scans.start && segment.start > 0;
-        Some(InStrip { x, begins, ends: end < last.scans.end })
-    }
-
-    /// A line along a row, where no scans are left out and where some are.
-    fn line(&self, x: Range<f32>, y: f32, line: &mut String, gaps: &mut String) {
-        let mut from = x.start;
-        for (stretch, start) in self.stretches.iter().zip(self.starts) {
-            let gap = start + stretch.gap().start..start + stretch.gap().end;
-            if !stretch.has_gap() || gap.start < from || gap.end > x.end {
-                continue;
-            }
-            write(line, format_args!("M{from} {y}H{}", gap.start));
-            write(gaps, format_args!("M{} {y}H{}", gap.start, gap.end));
-            from = gap.end;
-        }
-        write(line, format_args!("M{from} {y}H{}", x.end));
     }
 }
 
@@ -399,8 +317,4 @@ impl Wave<'_> {
             self.values.push(((start + end) / 2.0, text));
         }
     }
-}
-
-fn write(text: &mut String, arguments: std::fmt::Arguments) {
-    text.write_fmt(arguments).expect("writing to a string does not fail");
 }

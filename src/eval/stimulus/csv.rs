@@ -2,10 +2,11 @@
 
 use std::collections::HashMap;
 
-use csv::{ByteRecord, Error, ErrorKind, ReaderBuilder, Trim};
+use csv::{ByteRecord, Error, ErrorKind, ReaderBuilder, Trim, Writer};
 
-use super::{Column, Reader};
+use super::{Column, Reader, Stimulus, TICK};
 use crate::diagnostic::{Diagnostic, code};
+use crate::model::{Program, Role, VariableId};
 use crate::source::{Source, Span};
 
 /// Reads a whole text.
@@ -40,6 +41,32 @@ pub(super) fn read(reader: &mut Reader<'_>, source: &Source) {
             .help("the first row holds the names of inputs, such as start,stop");
         reader.report(finding);
     }
+}
+
+/// A whole text of a stimulus.
+pub(super) fn write(stimulus: &Stimulus, program: &Program) -> String {
+    let inputs: Vec<VariableId> = program.with_role(Role::Input).map(|(id, _)| id).collect();
+    // A name in back-ticks is taken neither for the tick nor for a member.
+    let is_plain = |c: char| c.is_alphanumeric() || "_[]".contains(c);
+    let quoted = |name: &str| match name != TICK && name.chars().all(is_plain) {
+        true => name.to_owned(),
+        false => format!("`{name}`"),
+    };
+    let names = inputs.iter().map(|&input| quoted(&program.variables[input].name));
+    let header: Vec<String> = [TICK.to_owned()].into_iter().chain(names).collect();
+    let column: HashMap<VariableId, usize> = inputs.iter().copied().zip(1..).collect();
+    let mut rows = Writer::from_writer(Vec::new());
+    rows.write_record(&header).expect("memory can be written");
+    for scan in 0..stimulus.len() {
+        let row = stimulus.row(scan);
+        let blank = if scan == 0 { "0" } else { "" };
+        let mut cells = vec![blank.to_owned(); header.len()];
+        cells[0] = u8::from(row.tick).to_string();
+        row.drives.iter().for_each(|(input, value)| cells[column[input]] = value.to_string());
+        rows.write_record(&cells).expect("memory can be written");
+    }
+    let text = rows.into_inner().expect("memory can be written");
+    String::from_utf8(text).expect("names are text")
 }
 
 /// What stands between two cells: a comma; a semicolon or a tab where the header has these only.

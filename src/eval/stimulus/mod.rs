@@ -4,6 +4,7 @@
 mod cell;
 mod csv;
 mod json;
+mod of_test;
 
 use super::Row;
 use crate::diagnostic::{Diagnostic, code, shortened, similar_name};
@@ -44,6 +45,32 @@ impl Stimulus {
                 Err(reader.findings)
             }
         }
+    }
+
+    /// Adds a row. Values are in range of their input's type.
+    pub fn push(&mut self, tick: bool, drives: impl IntoIterator<Item = (VariableId, i64)>) {
+        self.drives.extend(drives);
+        self.rows.push((self.drives.len(), tick));
+    }
+
+    /// Keeps so many rows and forgets those behind them.
+    pub fn truncate(&mut self, rows: usize) {
+        self.rows.truncate(rows);
+        self.drives.truncate(self.rows.last().map_or(0, |&(end, _)| end));
+    }
+
+    /// The stimulus as CSV, which [`Stimulus::parse`] reads back: a column for the tick and one for
+    /// each input. A cell is empty where an input keeps its value; the first row has no empty cell.
+    pub fn to_csv(&self, program: &Program) -> String {
+        csv::write(self, program)
+    }
+
+    /// The value for an input that a person writes as in a stimulus.
+    ///
+    /// # Errors
+    /// What should be written.
+    pub fn value(program: &Program, input: VariableId, text: &str) -> Result<i64, String> {
+        cell::value(program, input, text)
     }
 
     /// The number of rows.
@@ -92,7 +119,7 @@ impl Reader<'_> {
 
     /// Ends a row: what was driven since the last one belongs to it.
     fn end_row(&mut self, tick: bool) {
-        self.stimulus.rows.push((self.stimulus.drives.len(), tick));
+        self.stimulus.push(tick, []);
     }
 
     /// What a column of that name stands for, or a finding.

@@ -5,11 +5,10 @@ use std::rc::Rc;
 
 use super::power::Decided;
 use super::sites::Site;
-use super::{Cause, Place, Reason, Subject, Why};
+use super::{Cause, Looked, Reason, Subject, Why};
 use crate::eval::recorder::Recording;
 use crate::eval::scene::Scene;
 use crate::model::{self, CoilAction, Edge, Element, Expr, Role, Variable, VariableId};
-use crate::source::Span;
 use crate::types::Type;
 
 /// How many scans are kept in all their detail.
@@ -81,6 +80,7 @@ impl<'w, 'p> Explainer<'w, 'p> {
             scan,
             since: self.since(id, scan, write.is_some()),
             reason: Reason::Deeper,
+            looked: None,
             causes: Vec::new(),
         };
         match variable.role {
@@ -173,6 +173,7 @@ impl<'w, 'p> Explainer<'w, 'p> {
                 scan,
                 since: None,
                 reason: Reason::Element(place),
+                looked: None,
                 causes: self.deciders(*site, scan, depth),
             });
         }
@@ -238,6 +239,11 @@ impl<'w, 'p> Explainer<'w, 'p> {
     pub(super) fn decider(&mut self, site: Site<'p>, scan: usize, depth: usize) -> Cause {
         let detail = self.scan(scan);
         let visit = detail.recording.visit(site.element);
+        let looked = Looked {
+            scan,
+            rung: self.why.program.rungs[site.rung].number as usize,
+            element: site.number,
+        };
         let condition = |explainer: &Self, text: String, causes| Cause {
             subject: Subject::Condition(text),
             value: explainer.scene(&detail).conducts(site.element).into(),
@@ -245,6 +251,7 @@ impl<'w, 'p> Explainer<'w, 'p> {
             scan,
             since: None,
             reason: Reason::Element(explainer.place(&site)),
+            looked: None,
             causes,
         };
         match site.element {
@@ -253,7 +260,7 @@ impl<'w, 'p> Explainer<'w, 'p> {
                     let looks = std::mem::replace(&mut self.blames_idle_coils, !negated);
                     let cause = self.variable(variable, scan, Some(visit.start), depth);
                     self.blames_idle_coils = looks;
-                    cause
+                    Cause { looked: Some(looked), ..cause }
                 }
                 None => {
                     let causes = self.looked_at(place, site, scan, depth);
@@ -279,7 +286,8 @@ impl<'w, 'p> Explainer<'w, 'p> {
             Element::Call(call) => {
                 let instance = &self.why.program.instances[call.instance];
                 let main = call.shape.main_port().expect("it makes power");
-                self.variable(instance.members[main], scan, Some(visit.end), depth)
+                let cause = self.variable(instance.members[main], scan, Some(visit.end), depth);
+                Cause { looked: Some(looked), ..cause }
             }
             Element::Constant(_)
             | Element::Parallel(_)
@@ -327,68 +335,5 @@ impl<'w, 'p> Explainer<'w, 'p> {
             self.variable(id, scan, Some(start), depth)
         };
         read.into_iter().map(explain).collect()
-    }
-
-    /// Where an element stands.
-    pub(super) fn place(&self, site: &Site<'p>) -> Place {
-        let rung = &self.why.program.rungs[site.rung];
-        let line = span(site.element).map_or(rung.line, |span| self.why.source.line(span.start));
-        Place {
-            rung: rung.number as usize,
-            title: rung.title.clone(),
-            line,
-            text: self.text(site.element),
-        }
-    }
-
-    /// An element as written, on one line.
-    fn text(&self, element: &Element) -> String {
-        let program = self.why.program;
-        if let Some(span) = span(element) {
-            let words: Vec<&str> = self.why.source.slice(span).split_whitespace().collect();
-            return crate::diagnostic::shortened(&words.join(" ")).into_owned();
-        }
-        match element {
-            Element::Edge { place, edge, .. } => {
-                let word = if *edge == Edge::Rise { "rise" } else { "fall" };
-                format!("{word}({})", place.name(program))
-            }
-            Element::OneShot { edge: Edge::Rise, .. } => "rising".to_owned(),
-            Element::OneShot { edge: Edge::Fall, .. } => "falling".to_owned(),
-            Element::Constant(true) => "TRUE".to_owned(),
-            Element::Constant(false) => "FALSE".to_owned(),
-            Element::Invert => "not".to_owned(),
-            Element::ResetInstance(instance) => {
-                format!("(R {})", program.instances[*instance].name)
-            }
-            Element::Call(call) => {
-                let instance = &program.instances[call.instance];
-                format!("{}:{}", instance.name, call.shape.block.name)
-            }
-            Element::Net(_) => "net".to_owned(),
-            Element::Parallel(_)
-            | Element::Contact { .. }
-            | Element::Compare(..)
-            | Element::Coil { .. }
-            | Element::Assign { .. } => String::new(),
-        }
-    }
-}
-
-/// The place of an element that has one of its own.
-fn span(element: &Element) -> Option<Span> {
-    match element {
-        Element::Contact { span, .. }
-        | Element::Compare(_, span)
-        | Element::Coil { span, .. }
-        | Element::Assign { span, .. } => Some(*span),
-        Element::Constant(_)
-        | Element::Edge { .. }
-        | Element::Parallel(_)
-        | Element::OneShot { .. }
-        | Element::Invert
-        | Element::ResetInstance(_)
-        | Element::Call(_)
-        | Element::Net(_) => None,
     }
 }

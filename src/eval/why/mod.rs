@@ -4,8 +4,12 @@
 mod call;
 mod explain;
 mod power;
+mod shown;
 mod sites;
 mod trace;
+mod words;
+
+pub use shown::ShownRung;
 
 use super::Row;
 use crate::model::{Program, VariableId};
@@ -37,6 +41,8 @@ pub struct Cause {
     pub since: Option<usize>,
     /// Where that comes from.
     pub reason: Reason,
+    /// The contact or block in which it decided something, if that is what it did.
+    pub looked: Option<Looked>,
     /// What made it so: all of these together.
     pub causes: Vec<Cause>,
 }
@@ -50,6 +56,17 @@ pub enum Subject {
     Condition(String),
     /// A coil that would write something else if it had power, as written.
     IdleCoil(String),
+}
+
+/// An element that looked at a variable, or at its own output.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Looked {
+    /// The scan in which it did.
+    pub scan: usize,
+    /// Number of its rung, from 1.
+    pub rung: usize,
+    /// Its number in the rung, from 0 in text order.
+    pub element: usize,
 }
 
 /// Where a value comes from.
@@ -82,6 +99,8 @@ pub struct Place {
     pub title: Option<String>,
     /// The line, from 1.
     pub line: u32,
+    /// Its number in the rung, from 0 in text order.
+    pub element: usize,
     /// The element as written, short.
     pub text: String,
 }

@@ -20,6 +20,8 @@ pub(super) struct Site<'p> {
     pub(super) list: Option<SiteId>,
     /// Index of its rung.
     pub(super) rung: usize,
+    /// Its number in the rung, in text order, as in [`crate::eval::Flow`].
+    pub(super) number: usize,
     /// For a call, its number in the order of execution.
     pub(super) call: Option<usize>,
 }
@@ -31,13 +33,21 @@ pub(super) struct Sites<'p> {
     /// The set coils of each variable that has one; those on bits and elements are not followed.
     setters: HashMap<VariableId, Vec<SiteId>>,
     calls: usize,
+    /// The first element of the rung that is being looked at.
+    first: SiteId,
 }
 
 impl<'p> Sites<'p> {
     pub(super) fn new(program: &'p Program) -> Self {
-        let mut sites =
-            Sites { all: Vec::new(), by_place: HashMap::new(), setters: HashMap::new(), calls: 0 };
+        let mut sites = Sites {
+            all: Vec::new(),
+            by_place: HashMap::new(),
+            setters: HashMap::new(),
+            calls: 0,
+            first: 0,
+        };
         for (rung, written) in program.rungs.iter().enumerate() {
+            sites.first = sites.all.len();
             sites.series(&written.network, None, rung);
         }
         sites
@@ -64,7 +74,8 @@ impl<'p> Sites<'p> {
     fn series(&mut self, series: &'p [Element], list: Option<SiteId>, rung: usize) {
         for (index, element) in series.iter().enumerate() {
             let id = self.all.len();
-            self.all.push(Site { element, series, index, list, rung, call: None });
+            let number = id - self.first;
+            self.all.push(Site { element, series, index, list, rung, number, call: None });
             self.by_place.insert(Place::of(element), id);
             match element {
                 Element::Parallel(branches) => {

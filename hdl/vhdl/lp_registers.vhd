@@ -1,0 +1,69 @@
+-- The register array: presets, counts and words, and what they are at reset.
+library ieee;
+use ieee.std_logic_1164.all;
+
+entity lp_registers is
+  generic (
+    CONTENTS : string := ""             -- what the registers are at reset
+  );
+  port (
+    clk              : in  std_logic;
+    rst              : in  std_logic;
+    resetting        : in  std_logic;
+    idle             : in  std_logic;
+    count            : in  std_logic_vector(10 downto 0);
+    -- The functions.
+    read_register    : in  std_logic_vector(10 downto 0);
+    read_word        : out std_logic_vector(15 downto 0);
+    write_register   : in  std_logic;
+    written_register : in  std_logic_vector(10 downto 0);
+    written_word     : in  std_logic_vector(15 downto 0);
+    -- The host, between scans.
+    at_reset         : in  std_logic;
+    RM_addr          : in  std_logic_vector(10 downto 0);
+    RM_rw            : in  std_logic;   -- 1: write
+    RM_in            : in  std_logic_vector(15 downto 0);
+    RM_out           : out std_logic_vector(15 downto 0)
+  );
+end entity;
+
+architecture rtl of lp_registers is
+  signal copied, initial_address       : std_logic_vector(10 downto 0);
+  signal write_address, read_address   : std_logic_vector(10 downto 0);
+  signal copies, writes_initial, write : std_logic;
+  signal initial_word, word            : std_logic_vector(15 downto 0);
+  signal write_data                    : std_logic_vector(15 downto 0);
+begin
+  process (clk)
+  begin
+    if rising_edge(clk) then
+      copied <= count;
+      copies <= resetting and not rst;
+    end if;
+  end process;
+
+  writes_initial  <= idle and RM_rw and at_reset;
+  initial_address <= RM_addr when idle = '1' else count;
+  initial_registers : entity work.lp_memory
+    generic map (WIDTH => 16, ADDRESS_BITS => 11, CONTENTS => CONTENTS)
+    port map (
+      clk => clk,
+      write => writes_initial, write_address => RM_addr, write_data => RM_in,
+      read => '1', read_address => initial_address, read_data => initial_word
+    );
+
+  write         <= copies or (idle and RM_rw and not at_reset) or (not idle and write_register);
+  write_address <= copied when copies = '1' else RM_addr when idle = '1' else written_register;
+  write_data    <= initial_word when copies = '1' else RM_in when idle = '1' else written_word;
+  read_address  <= RM_addr when idle = '1' else read_register;
+  registers : entity work.lp_memory
+    generic map (WIDTH => 16, ADDRESS_BITS => 11)
+    port map (
+      clk => clk,
+      write => write, write_address => write_address, write_data => write_data,
+      read => '1', read_address => read_address, read_data => word
+    );
+
+  read_word <= word;
+  RM_out    <= initial_word when at_reset = '1' else word;
+end architecture;
