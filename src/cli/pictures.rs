@@ -96,11 +96,11 @@ pub fn of_tests(
         }
         let mut power = power(source, &flow, last);
         let when =
-            if stimulus.len() > 0 { moment(last) } else { "before the first scan".to_owned() };
+            if !stimulus.is_empty() { moment(last) } else { "before the first scan".to_owned() };
         power.say(&format!("{title}: {when}"));
         let sources = [path.to_owned()];
         write(&folder.join(format!("{stem}.svg")), &power.svg(), &sources)?;
-        if stimulus.len() > 0 {
+        if !stimulus.is_empty() {
             write(&folder.join(format!("{stem}_waves.svg")), &timing.svg(), &sources)?;
         }
     }
