@@ -86,7 +86,13 @@ impl Call {
         let outputs = self.outputs.iter().map(|output| width(&output.name)).max().unwrap_or(0);
         let outputs = outputs.max(width(&self.main));
         let pins = inputs.max(width(POWER)) + 3 + outputs;
-        let inner = pins.max(width(&self.kind) + 4);
+        let is_fed_beside = |input: &Input| matches!(input.fed, Fed::Circuit(_));
+        // A circuit may reach further down than the box: nothing under it stands out to the left.
+        let under = match self.inputs.iter().any(is_fed_beside) {
+            true => width(&self.references.to_string()) - 1,
+            false => 0,
+        };
+        let inner = pins.max(width(&self.kind) + 4).max(under);
         let inner = inner + (inner + 1) % 2;
         let half = self.above_and_below_the_box() / 2 + 1;
         let left = fed.max(LEAST_LEFT).max(half - inner / 2);
