@@ -43,7 +43,10 @@ pub fn forget_unseen(circuit: &Circuit) -> Option<Circuit> {
             let bits = word.known();
             let (_, register) = register(circuit, net);
             known.extend(bits);
-            if simple != Choices::of(circuit, register.next, DEPTH) {
+            // Where no choice is left, none is simpler either.
+            let as_it_is =
+                [Choices::Net(register.next), Choices::of(circuit, register.next, DEPTH)];
+            if !as_it_is.contains(&simple) {
                 next.insert(register.next, simple);
             }
             break;
@@ -92,8 +95,9 @@ impl Readers {
         Readers { cells, taken, shown }
     }
 
-    /// Flip-flops that what follows from a word meets.
+    /// Flip-flops that what follows from a word meets, and that take something when the word does.
     fn flags(&self, circuit: &Circuit, word: Net) -> Vec<Net> {
+        let enable = register(circuit, word).1.enable;
         let mut flags = Vec::new();
         let (mut open, mut seen) = (vec![word], HashSet::from([word]));
         while let Some(net) = open.pop() {
@@ -103,8 +107,9 @@ impl Readers {
                 }
                 open.push(reader);
                 circuit.for_each_operand(circuit.cell(reader), |operand| {
-                    let is_flag = matches!(circuit.cell(operand).op, Op::Register(_))
-                        && circuit.width(operand) == 1;
+                    let is_flag = circuit.width(operand) == 1
+                        && matches!(circuit.cell(operand).op, Op::Register(_))
+                        && register(circuit, operand).1.enable == enable;
                     if is_flag && flags.len() < FLAGS && !flags.contains(&operand) {
                         flags.push(operand);
                     }
