@@ -9,6 +9,8 @@ pub struct Simulator {
     circuit: Circuit,
     values: Vec<u64>,
     registers: Vec<u64>,
+    /// Nets that follow from registers alone, in their order.
+    kept: Vec<Net>,
 }
 
 impl Simulator {
@@ -16,7 +18,8 @@ impl Simulator {
     pub fn new(design: &Valid<Design>) -> Self {
         let circuit = design.flatten();
         let (values, registers) = (vec![0; circuit.len()], vec![0; circuit.registers.len()]);
-        let mut simulator = Simulator { circuit, values, registers };
+        let kept = follow_from_registers(&circuit);
+        let mut simulator = Simulator { circuit, values, registers, kept };
         simulator.reset();
         simulator
     }
@@ -52,20 +55,16 @@ impl Simulator {
         self.show_registers();
     }
 
-    /// The bits of the output port of that index. A port that shows a register, extended or not,
-    /// changes at [`Simulator::clock`], any other at [`Simulator::settle`].
+    /// The bits of the output port of that index. A port that follows from registers alone changes
+    /// at [`Simulator::clock`], any other at [`Simulator::settle`].
     pub fn output(&self, port: usize) -> u64 {
         self.values[index(self.circuit.outputs[port].net)]
     }
 
     fn show_registers(&mut self) {
-        for (net, cell) in self.circuit.cells() {
-            match cell.op {
-                Op::Register(_) | Op::Const(_) | Op::Extend { .. } => {
-                    self.values[index(net)] = self.value_of(cell.op, cell.width);
-                }
-                _ => {}
-            }
+        for &net in &self.kept {
+            let cell = self.circuit.cell(net);
+            self.values[index(net)] = self.value_of(cell.op, cell.width);
         }
     }
 
@@ -107,4 +106,19 @@ impl Simulator {
         };
         bits & mask(width)
     }
+}
+
+/// The nets that no input reaches within a clock.
+fn follow_from_registers(circuit: &Circuit) -> Vec<Net> {
+    let mut is_reached = vec![false; circuit.len()];
+    let mut kept = Vec::new();
+    for (net, cell) in circuit.cells() {
+        let mut reached = matches!(cell.op, Op::Input(_));
+        circuit.for_each_operand(cell, |operand| reached |= is_reached[index(operand)]);
+        is_reached[index(net)] = reached;
+        if !reached {
+            kept.push(net);
+        }
+    }
+    kept
 }
