@@ -12,6 +12,9 @@ use super::view::{Declared, Part, Port, Statement, Stored, View};
 use super::{Header, Options, header};
 use crate::circuit::{Net, as_signed};
 
+/// A VHDL integer reaches to 2^31 - 1, but GHDL 2 refuses some literals right below it.
+const LARGEST_DECIMAL: u64 = 1_999_999_999;
+
 /// The words of VHDL.
 struct Vhdl;
 
@@ -104,7 +107,7 @@ impl fmt::Display for Number {
         let digits = width as usize;
         if width == 1 {
             write!(f, "'{bits}'")
-        } else if bits <= i32::MAX as u64
+        } else if bits <= LARGEST_DECIMAL
             && (bits >> (width - 1) == 0 || !matches!(width, 8 | 16 | 32 | 64))
         {
             write!(f, "to_unsigned({bits}, {width})")
@@ -250,7 +253,7 @@ impl Dialect for Vhdl {
             (Some(bits), None) if width > 1 => {
                 let value = if signed { as_signed(bits, width) as i128 } else { bits.into() };
                 // The width is that of the other side.
-                if value.unsigned_abs() <= i32::MAX as u128 {
+                if value.unsigned_abs() <= LARGEST_DECIMAL.into() {
                     write!(printer, "{value}")
                 } else {
                     printer.constant(net)
