@@ -58,7 +58,8 @@ fn amount() -> u64 {
 
 #[test]
 fn random_programs_stay_what_they_are() {
-    for seed in 0..amount() {
+    // The layout has fewer cases than the meaning.
+    for seed in 0..amount().min(5000) {
         let mut random = Rng::with_seed(seed);
         let program = generate::program(seed) + &sprinkle::more_items(&mut random);
         let plain = format(&program);
