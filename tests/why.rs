@@ -3,7 +3,7 @@
 mod common;
 
 use common::folder::Folder;
-use common::generate;
+use common::{amount, generate};
 use fastrand::Rng;
 use hotrail::eval::{Cause, Evaluator, Looked, Reason, Row, ShownRung, Subject, Why};
 use hotrail::model::{Role, VariableId};
@@ -167,7 +167,7 @@ fn the_rungs_that_decided_are_drawn() {
 /// What an explanation says of elements is what the rungs show that are drawn of it.
 fn is_shown(cause: &Cause, shown: &[ShownRung]) {
     if let Reason::Element(place) | Reason::Call(place, _) = &cause.reason {
-        let is_it = |shown: &&ShownRung| (shown.scan, shown.rung) == (cause.scan, place.rung);
+        let is_it = |shown: &&ShownRung| (shown.scan, shown.rung) == (cause.told_of, place.rung);
         let seen = &shown.iter().find(is_it).unwrap().seen[place.element];
         assert!(seen.decides, "{cause:?}");
         match (&cause.subject, &cause.reason) {
@@ -195,7 +195,7 @@ fn parts(cause: &Cause, depth: usize) -> usize {
 
 #[test]
 fn every_variable_of_random_programs_can_be_explained() {
-    for seed in 0..200 {
+    for seed in 0..amount("HOTRAIL_RANDOM_PROGRAMS", 1000) / 5 {
         let source = Source::new("random.ladder", generate::program(seed));
         let program = hotrail::analyze(&source).0.expect("random programs are good");
         let mut random = Rng::with_seed(seed);

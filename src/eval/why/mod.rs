@@ -37,6 +37,8 @@ pub struct Cause {
     pub ty: Type,
     /// The scan in which it is looked at, from 0.
     pub scan: usize,
+    /// The scan that is told of: that one, or the one before it that left the value.
+    pub told_of: usize,
     /// The scan since which it has that value; nothing if since reset.
     pub since: Option<usize>,
     /// Where that comes from.

@@ -54,7 +54,7 @@ fn collect(cause: &Cause, marks: &mut Vec<(usize, usize, usize)>) {
     }
     match &cause.reason {
         Reason::Element(place) | Reason::Call(place, _) => {
-            marks.push((cause.scan, place.rung, place.element));
+            marks.push((cause.told_of, place.rung, place.element));
         }
         Reason::Input
         | Reason::Reset
