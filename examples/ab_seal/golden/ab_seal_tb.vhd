@@ -32,7 +32,7 @@ architecture rtl of ab_seal_test_AB_TON_BASE1_DINT_PRE2000 is
   signal DN_next : std_logic;
   signal ACC_value : unsigned(31 downto 0);
 begin
-  unequal <= '1' when ACC_before /= 2147483647 else '0';
+  unequal <= '1' when ACC_before /= x"7FFFFFFF" else '0';
   sum <= ACC_before + (to_unsigned(0, 31) & (power and EN_reg and not DN_reg and tick and unequal));
   at_least <= '1' when signed(sum) >= 2000 else '0';
   DN_next <= power and (DN_reg or at_least);
