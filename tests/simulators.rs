@@ -241,7 +241,7 @@ fn random_programs_run_in_simulators_as_in_the_evaluator() {
 
 #[test]
 fn many_random_programs_run_at_once_as_in_the_evaluator() {
-    let programs = 5 * amount("HOTRAIL_RANDOM_SIMULATIONS", 5);
+    let programs = 10 * amount("HOTRAIL_RANDOM_SIMULATIONS", 5);
     checks::ICARUS.hold(programs);
     checks::GHDL.hold(programs);
 }
