@@ -2,13 +2,10 @@
 
 mod common;
 
-use common::{amount, generate};
-use fastrand::Rng;
-use hotrail::circuit::Simulator;
-use hotrail::equations::{Order, Resource, by_dataflow};
-use hotrail::eval::Evaluator;
-use hotrail::expand;
-use hotrail::model::{Program, Role, VariableId};
+use common::reordered::wrong_claim;
+use common::{amount, checks, generate};
+use hotrail::equations::by_dataflow;
+use hotrail::model::Program;
 use hotrail::report::{Report, order_summary};
 use hotrail::source::Source;
 
@@ -54,66 +51,20 @@ fn loops_keep_the_order_of_the_text_and_come_in_their_place() {
     assert_eq!(order("rung y (z) rung m !y (x) rung b !x (y) rung a (m)"), [4, 2, 3, 1]);
 }
 
-/// Everything that an order does not name has the same values in both orders.
-fn wrong_claim(text: &str, seed: u64) -> Option<String> {
-    let before = analyze(text);
-    let mut after = analyze(text);
-    let order = by_dataflow(&mut after);
-    assert_eq!(by_dataflow(&mut after).changes, [], "it stands in that order already");
-    let circuit = hotrail::compile(&after, &expand::Options::default());
-    let mut circuit = Simulator::new(&circuit);
-    let mut random = Rng::with_seed(seed);
-    let mut runs = [Evaluator::new(&before), Evaluator::new(&after)];
-    let inputs: Vec<VariableId> = before.with_role(Role::Input).map(|(id, _)| id).collect();
-    for scan in 0..100 {
-        let tick = random.bool();
-        let mut bits = vec![u64::from(tick)];
-        for &input in &inputs {
-            let ty = before.variables[input].ty;
-            if random.u8(..3) == 0 {
-                let value = if random.bool() { random.i64(-3..4) } else { random.i64(..) };
-                runs.iter_mut().for_each(|run| run.drive(input, ty.wrap(value)));
-            }
-            bits.push(ty.bits(runs[0].value(input)));
-        }
-        runs.iter_mut().for_each(|run| run.scan(tick));
-        circuit.settle(&bits);
-        circuit.clock();
-        let differs = |id: &VariableId| runs[0].value(*id) != runs[1].value(*id);
-        let named = before.named_variables().map(|(id, _)| id);
-        if let Some(id) = named.filter(differs).find(|&id| !may_differ(&before, &order, id)) {
-            return Some(format!("scan {scan}: {} differs", before.variables[id].name));
-        }
-        let outputs = after.with_role(Role::Output).enumerate();
-        for (port, (id, variable)) in outputs {
-            if circuit.output(port) != variable.ty.bits(runs[1].value(id)) {
-                return Some(format!("scan {scan}: the circuit's {} differs", variable.name));
-            }
-        }
-    }
-    None
-}
-
-fn may_differ(program: &Program, order: &Order, id: VariableId) -> bool {
-    let resource = match program.variables[id].role {
-        Role::Member(instance, _) => Resource::Instance(instance),
-        _ => Resource::Variable(id),
-    };
-    order.may_differ.contains(&resource)
-}
-
 #[test]
 fn what_is_not_named_does_not_differ() {
     let mut changed = 0;
-    for seed in 0..amount("HOTRAIL_RANDOM_PROGRAMS", 1000) / 4 {
-        let text = generate::program(seed);
-        assert_eq!(wrong_claim(&text, seed), None, "seed {seed}:\n{text}");
-        changed += usize::from(!by_dataflow(&mut analyze(&text)).changes.is_empty());
+    let programs = amount("HOTRAIL_RANDOM_PROGRAMS", 1000) / 4;
+    checks::ORDER.hold(programs);
+    for seed in 0..programs {
+        let mut program = analyze(&generate::program(seed));
+        changed += usize::from(!by_dataflow(&mut program).changes.is_empty());
     }
     assert!(changed > 0);
     for example in common::examples() {
         let text = std::fs::read_to_string(&example.ladder).unwrap();
-        assert_eq!(wrong_claim(&text, 1), None, "{}", example.ladder.display());
+        let wrong = wrong_claim(&analyze(&text), &mut analyze(&text), 1);
+        assert_eq!(wrong, None, "{}", example.ladder.display());
     }
 }
 

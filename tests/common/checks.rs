@@ -10,7 +10,8 @@ use hotrail::backend::hdl::Language;
 
 use super::shrink::shrink;
 use super::{
-    analyze, bulk, emulated, generate, lockstep, relay, require_tool, scheduled, variants,
+    analyze, bulk, emulated, generate, lockstep, relay, reordered, require_tool, scheduled,
+    variants,
 };
 
 /// Something that holds for every random program.
@@ -48,7 +49,7 @@ pub struct Failure {
 }
 
 /// All of them.
-pub const ALL: &[Check] = &[CIRCUIT, SCHEDULES, PROCESSOR, METAMORPHIC, ICARUS, GHDL];
+pub const ALL: &[Check] = &[CIRCUIT, SCHEDULES, ORDER, PROCESSOR, METAMORPHIC, ICARUS, GHDL];
 
 /// The circuit as shipped, with all its inside shown, as straight code and in 64 lanes.
 pub const CIRCUIT: Check = Check {
@@ -65,6 +66,15 @@ pub const SCHEDULES: Check = Check {
     shows: "evaluator = circuits of several clocks a scan",
     batch: 200,
     run: |seeds| one_by_one(seeds, schedules),
+    tools: &[],
+};
+
+/// The rungs as values flow between them.
+pub const ORDER: Check = Check {
+    name: "order",
+    shows: "what a change of order is not said to change stays",
+    batch: 200,
+    run: |seeds| one_by_one(seeds, order),
     tools: &[],
 };
 
@@ -192,8 +202,12 @@ fn one_by_one(seeds: Range<u64>, check: fn(u64) -> Outcome) -> Tally {
     tally
 }
 
-/// A failure with the smallest text that fails too; a panic counts.
+/// A failure with the smallest text that fails too; a panic counts. With `HOTRAIL_SHRINK=0` the text
+/// stays as it is.
 fn failed(wrong: &str, text: &str, fails: impl Fn(&str) -> bool) -> Outcome {
+    if std::env::var_os("HOTRAIL_SHRINK").is_some_and(|value| value == "0") {
+        return Outcome::Failed(format!("{wrong}; the program:\n{text}"));
+    }
     let fails = |text: &str| caught(|| fails(text)).unwrap_or(true);
     Outcome::Failed(format!("{wrong}; the smallest such program:\n{}", shrink(text, fails)))
 }
@@ -226,6 +240,13 @@ fn schedules(seed: u64) -> Outcome {
     held(&generate::program(seed), 2 * SCANS as u64, |text| {
         let program = analyze("random.ladder", text)?;
         Ok(scheduled::differences(&program, SCANS, seed))
+    })
+}
+
+fn order(seed: u64) -> Outcome {
+    held(&generate::program(seed), reordered::SCANS as u64, |text| {
+        let (before, mut after) = (analyze("order.ladder", text)?, analyze("order.ladder", text)?);
+        Ok(reordered::wrong_claim(&before, &mut after, seed))
     })
 }
 

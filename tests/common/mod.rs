@@ -14,8 +14,10 @@ pub mod lp;
 pub mod proof;
 pub mod recorded;
 pub mod relay;
+pub mod reordered;
 pub mod scheduled;
 pub mod shrink;
+#[cfg(feature = "cli")]
 pub mod targets;
 pub mod variants;
 

@@ -1,0 +1,50 @@
+//! What judges a planted fault first (`tests/mutants/run`): one program, so that it builds fast, and the
+//! first check that fails ends it. A check comes twice: with few programs, for most faults show in those, then
+//! with more.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+use std::path::Path;
+
+use common::checks::{CIRCUIT, Check, GHDL, ICARUS, ORDER, PROCESSOR, SCHEDULES};
+use common::lockstep::difference;
+use common::{analyze, scheduled};
+use fastrand::Rng;
+
+/// The checks that run what a part of the compiler makes, and the seeds from where to where.
+fn checks(part: &str) -> &'static [(Check, u64, u64)] {
+    match part {
+        "circuit" => {
+            &[(CIRCUIT, 0, 10), (SCHEDULES, 0, 10), (CIRCUIT, 10, 200), (SCHEDULES, 10, 100)]
+        }
+        "order" => &[(ORDER, 0, 20), (SCHEDULES, 0, 20), (ORDER, 20, 250)],
+        "hdl" => &[(ICARUS, 0, 6), (GHDL, 0, 6), (ICARUS, 6, 31), (GHDL, 6, 31)],
+        "processor" => &[(PROCESSOR, 0, 20), (PROCESSOR, 20, 500)],
+        _ => panic!("HOTRAIL_PLANTED is circuit, order, hdl or processor"),
+    }
+}
+
+#[test]
+fn the_executors_agree() {
+    let part = std::env::var("HOTRAIL_PLANTED").expect("HOTRAIL_PLANTED names a part");
+    for (check, first, end) in checks(&part) {
+        assert!(check.can_run());
+        let tally = check.run(*first..*end);
+        if let Some(failure) = tally.failures.first() {
+            panic!("{}: seed {}, {}", check.shows, failure.seed, failure.text);
+        }
+    }
+    if part != "circuit" {
+        return;
+    }
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/lockstep");
+    let kept = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    for path in kept.chain(common::examples().into_iter().map(|example| example.ladder)) {
+        let name = path.display().to_string();
+        let text = std::fs::read_to_string(&path).unwrap();
+        let program = analyze(&name, &text).unwrap_or_else(|findings| panic!("{findings}"));
+        assert_eq!(difference(&program, 200, Rng::with_seed(1)), None, "{name}");
+        assert_eq!(scheduled::differences(&program, 100, 1), None, "{name}");
+    }
+}
