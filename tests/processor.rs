@@ -3,7 +3,7 @@
 mod common;
 
 use common::emulated::compile;
-use common::{amount, checks};
+use common::{amount, checks, trees};
 use fastrand::Rng;
 use hotrail::backend::processor::{
     self, Bridge, Contact, Machine, Operation, Tree, Word, decode, encode,
@@ -112,71 +112,9 @@ fn every_series_parallel_rung_of_up_to_six_contacts_conducts_where_it_is_drawn_t
     assert_eq!(rungs, 1 + 2 * (1 + 3 + 11 + 45 + 197));
 }
 
-/// A random tree of contacts, bridges among them if they are wanted.
-fn random_tree(random: &mut Rng, depth: u32, bridges: bool) -> Tree {
-    let contact = |random: &mut Rng| Contact { address: random.u16(..12), negated: random.bool() };
-    match random.u32(..if depth == 0 { 1 } else { 10 }) {
-        0..=2 => Tree::Contact(contact(random)),
-        3..=5 => {
-            let parts = 2 + random.usize(..3);
-            Tree::series((0..parts).map(|_| random_tree(random, depth - 1, bridges)))
-        }
-        6 if bridges => {
-            let mut arm = || random_tree(random, depth - 1, bridges);
-            let (upper_left, lower_left, upper_right, lower_right) = (arm(), arm(), arm(), arm());
-            let middle = contact(random);
-            Tree::Bridge(Box::new(Bridge {
-                upper_left,
-                lower_left,
-                middle,
-                upper_right,
-                lower_right,
-            }))
-        }
-        _ => {
-            let branches = 2 + random.usize(..3);
-            Tree::parallel((0..branches).map(|_| random_tree(random, depth - 1, bridges)))
-        }
-    }
-}
-
-/// Runs a tree as the processor does, with what it needs in flags, and compares it with the tree.
-fn check_tree(tree: &Tree, random: &mut Rng) {
-    let mut rom = processor::Rom::default();
-    let mut flag = 512;
-    let fitted = processor::fit(tree, || {
-        flag += 1;
-        flag - 1
-    });
-    let mut circuits = fitted.before.clone();
-    circuits.push((fitted.words.clone(), 256));
-    for (words, coil) in circuits {
-        rom.code.extend(words.into_iter().map(Word::encode));
-        rom.code.push(Word::Output { operation: Operation::Coil, coil }.encode());
-    }
-    rom.code.push(Word::END.encode());
-    rom.pins.inputs = 12;
-    if rom.code.len() > 1024 {
-        return;
-    }
-    let mut machine = Machine::new(&rom).unwrap_or_else(|faults| panic!("{tree:?}: {faults:?}"));
-    for _ in 0..40 {
-        let inputs: u16 = random.u16(..);
-        (0..12).for_each(|input| machine.drive(input, inputs >> input & 1 == 1));
-        machine.scan(false);
-        let meant = tree.conducts(&|address| inputs >> address & 1 == 1);
-        assert_eq!(machine.bit(256), meant, "{tree:?} with {inputs:b}");
-    }
-}
-
 #[test]
 fn random_trees_with_and_without_bridges_conduct_where_they_are_drawn_to() {
-    let mut random = Rng::with_seed(1);
-    for round in 0..amount("HOTRAIL_RANDOM_TREES", 3000) {
-        let depth = random.u32(1..7);
-        let tree = random_tree(&mut random, depth, round % 2 == 0);
-        check_tree(&tree, &mut random);
-    }
+    checks::TREES.hold(amount("HOTRAIL_RANDOM_TREES", 3000));
 }
 
 /// Lists in lists, each with a contact beside it, so that the stacks are needed as deep as can be.
@@ -192,7 +130,7 @@ fn deep_nesting_is_ordered_or_cut() {
                 branches.insert(position, inner);
                 tree = Tree::parallel(branches);
             }
-            check_tree(&tree, &mut random);
+            assert_eq!(trees::difference(&tree, &mut random), None, "{tree:?}");
             let fitted = processor::fit(&tree, || 600);
             assert!(fitted.before.len() <= flags, "{height}: {}", fitted.before.len());
         }
@@ -205,7 +143,7 @@ fn the_words_of_a_tree_tell_the_tree() {
     let mut came_back = 0;
     for _ in 0..5000 {
         let depth = random.u32(1..6);
-        let tree = random_tree(&mut random, depth, false);
+        let tree = trees::random_tree(&mut random, depth, false);
         let fitted = processor::fit(&tree, || 600);
         if !fitted.before.is_empty() {
             continue;

@@ -10,7 +10,7 @@ use hotrail::backend::hdl::Language;
 
 use super::shrink::shrink;
 use super::{
-    analyze, bulk, emulated, generate, lockstep, relay, reordered, require_tool, scheduled,
+    analyze, bulk, emulated, generate, lockstep, relay, reordered, require_tool, scheduled, trees,
     variants,
 };
 
@@ -49,7 +49,7 @@ pub struct Failure {
 }
 
 /// All of them.
-pub const ALL: &[Check] = &[CIRCUIT, SCHEDULES, ORDER, PROCESSOR, METAMORPHIC, ICARUS, GHDL];
+pub const ALL: &[Check] = &[CIRCUIT, SCHEDULES, ORDER, PROCESSOR, TREES, METAMORPHIC, ICARUS, GHDL];
 
 /// The circuit as shipped, with all its inside shown, as straight code and in 64 lanes.
 pub const CIRCUIT: Check = Check {
@@ -84,6 +84,15 @@ pub const PROCESSOR: Check = Check {
     shows: "evaluator = ladder processor",
     batch: 500,
     run: |seeds| one_by_one(seeds, processor),
+    tools: &[],
+};
+
+/// Rungs as trees of contacts, every second one with bridges.
+pub const TREES: Check = Check {
+    name: "trees",
+    shows: "tree of contacts = its words on the ladder processor",
+    batch: 1000,
+    run: |seeds| one_by_one(seeds, trees),
     tools: &[],
 };
 
@@ -255,6 +264,16 @@ fn processor(seed: u64) -> Outcome {
         let (program, image) = emulated::compile(text)?;
         Ok(emulated::difference(&program, &image, SCANS, Rng::with_seed(seed)))
     })
+}
+
+fn trees(seed: u64) -> Outcome {
+    let mut random = Rng::with_seed(seed);
+    let depth = random.u32(1..7);
+    let tree = trees::random_tree(&mut random, depth, seed.is_multiple_of(2));
+    match caught(|| trees::difference(&tree, &mut random)) {
+        Ok(None) => Outcome::Held { scans: trees::SCANS },
+        Ok(Some(wrong)) | Err(wrong) => Outcome::Failed(format!("{wrong}; the tree:\n{tree:?}")),
+    }
 }
 
 fn metamorphic(seed: u64) -> Outcome {

@@ -19,6 +19,7 @@ pub mod scheduled;
 pub mod shrink;
 #[cfg(feature = "cli")]
 pub mod targets;
+pub mod trees;
 pub mod variants;
 
 use std::path::{Path, PathBuf};

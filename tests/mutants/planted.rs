@@ -7,7 +7,7 @@ mod common;
 
 use std::path::Path;
 
-use common::checks::{CIRCUIT, Check, GHDL, ICARUS, ORDER, PROCESSOR, SCHEDULES};
+use common::checks::{CIRCUIT, Check, GHDL, ICARUS, ORDER, PROCESSOR, SCHEDULES, TREES};
 use common::lockstep::difference;
 use common::{analyze, scheduled};
 use fastrand::Rng;
@@ -20,7 +20,9 @@ fn checks(part: &str) -> &'static [(Check, u64, u64)] {
         }
         "order" => &[(ORDER, 0, 20), (SCHEDULES, 0, 20), (ORDER, 20, 250)],
         "hdl" => &[(ICARUS, 0, 6), (GHDL, 0, 6), (ICARUS, 6, 31), (GHDL, 6, 31)],
-        "processor" => &[(PROCESSOR, 0, 20), (PROCESSOR, 20, 500)],
+        "processor" => {
+            &[(PROCESSOR, 0, 20), (TREES, 0, 100), (PROCESSOR, 20, 500), (TREES, 100, 500)]
+        }
         _ => panic!("HOTRAIL_PLANTED is circuit, order, hdl or processor"),
     }
 }
