@@ -4,9 +4,13 @@
 //! reset, whatever the inputs are. None looks at names: what is true of a timer is true of a
 //! counter that a program makes out of a variable.
 
+mod absorb;
 mod ahead;
+mod decide;
 mod family;
 mod fit;
+#[cfg(test)]
+mod gates;
 mod inside;
 mod merge;
 mod narrow;
@@ -25,6 +29,8 @@ type Pass = fn(&Circuit) -> Option<Circuit>;
 
 /// The passes over a circuit, in their order.
 const PASSES: &[Pass] = &[
+    absorb::absorb,
+    decide::decide,
     merge::merge,
     narrow::narrow,
     saturate::saturate,
