@@ -19,6 +19,7 @@ mod ports;
 mod rebuild;
 mod saturate;
 mod share;
+mod together;
 mod unseen;
 
 use super::{Circuit, Design};
@@ -40,6 +41,7 @@ const PASSES: &[Pass] = &[
     merge::merge,
     unseen::forget_unseen,
     share::share,
+    together::move_together,
 ];
 
 /// Fits the modules of a design to their instances and makes every circuit small. Behaviour at the
