@@ -99,8 +99,8 @@ fn a_proof_fails_where_the_editions_differ() {
     assert!(!equal(&[], alter), "{file}: {new}");
 }
 
-/// Drives the processor and prints what [`lp::meant`] describes; image and registers are read by the
-/// host.
+/// Drives the processor and prints what [`lp::meant`] describes; image and registers are read by
+/// the host.
 fn bench(image: &Image, rows: &[Row]) -> String {
     let pins = image.rom.pins;
     let [tenth, second] = lp::ticks(image);

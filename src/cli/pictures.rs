@@ -35,8 +35,8 @@ pub fn test_stimulus(program: &Program, title: &str) -> anyhow::Result<Stimulus>
     }
 }
 
-/// What goes on in a scan of a run, from 0, and which one it is; in the last one of the stimulus if none is said. Behind
-/// the last row its values are held.
+/// What goes on in a scan of a run, from 0, and which one it is; in the last one of the stimulus if
+/// none is said. Behind the last row its values are held.
 pub fn at(
     program: &Program,
     stimulus: &Stimulus,

@@ -15,8 +15,8 @@ const TIME: usize = 12;
 /// One scan as it went through the rungs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Flow {
-    /// For each rung, in text order, its elements in text order: a list before what is in it, a block before the
-    /// circuits that it is given.
+    /// For each rung, in text order, its elements in text order: a list before what is in it, a
+    /// block before the circuits that it is given.
     pub rungs: Vec<Vec<Seen>>,
 }
 

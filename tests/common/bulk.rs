@@ -25,8 +25,9 @@ struct Subject {
     meant: String,
 }
 
-/// Runs the programs of these seeds for that many scans on random inputs and ticks in the simulator of
-/// a language, all that has a name shown: for each what is wrong. Nothing if the tool is missing.
+/// Runs the programs of these seeds for that many scans on random inputs and ticks in the simulator
+/// of a language, all that has a name shown: for each what is wrong. Nothing if the tool is
+/// missing.
 ///
 /// # Panics
 /// If the tool refuses one of them.

@@ -1,4 +1,5 @@
-//! Programs with a test that expects what the reference evaluator does, for whoever else runs tests.
+//! Programs with a test that expects what the reference evaluator does, for whoever else runs
+//! tests.
 
 use std::fmt::Write;
 

@@ -1,5 +1,5 @@
-//! What has to hold for every input whatever, for the short fuzzing of `cargo test` and the long one of
-//! `cargo fuzz`. All of it panics where it does not hold.
+//! What has to hold for every input whatever, for the short fuzzing of `cargo test` and the long
+//! one of `cargo fuzz`. All of it panics where it does not hold.
 
 use fastrand::Rng;
 use hotrail::backend::hdl::{self, Language};

@@ -66,8 +66,8 @@ pub fn check(name: &str, text: &str, change: usize, seed: u64) -> Result<Option<
     }
 }
 
-/// Runs a program and one that shall mean the same, whose variables may bear new names, for that many
-/// scans on random inputs and ticks; says what differs.
+/// Runs a program and one that shall mean the same, whose variables may bear new names, for that
+/// many scans on random inputs and ticks; says what differs.
 fn difference(program: &Program, other: &Program, scans: usize, mut random: Rng) -> Option<String> {
     let pairs: Vec<(VariableId, VariableId)> = program
         .variables

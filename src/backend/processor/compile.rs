@@ -1,5 +1,5 @@
-//! From the checked program to words: what the compiler keeps, and what it hands back. The rungs are
-//! in `rung`, the blocks in `call`.
+//! From the checked program to words: what the compiler keeps, and what it hands back. The rungs
+//! are in `rung`, the blocks in `call`.
 
 use std::collections::HashSet;
 

@@ -1,5 +1,5 @@
-//! The elements of a rung, from left to right: what only looks becomes part of the drawn power, what
-//! writes cuts the rung into circuits.
+//! The elements of a rung, from left to right: what only looks becomes part of the drawn power,
+//! what writes cuts the rung into circuits.
 
 use super::compile::{Compiler, Done, Reported};
 use super::power::Power;
@@ -119,7 +119,8 @@ impl Compiler<'_> {
         }
         let name = &self.program.variables[variable].name;
         Err(match self.program.variables[variable].role {
-            // The call is reported; a member of what the processor does not have is no other mistake.
+            // The call is reported; a member of what the processor does not have is no other
+            // mistake.
             Role::Member(..) => Reported,
             _ => self.cannot(span, "this contact", format!("`{name}` has no image address")),
         })
