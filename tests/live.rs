@@ -13,7 +13,7 @@ use common::folder::Folder;
 use common::generate;
 use fastrand::Rng;
 use hotrail::draw::Glyphs;
-use hotrail::eval::{Evaluator, Stimulus};
+use hotrail::eval::{Evaluator, Machine, Stimulus};
 use hotrail::live::{Key, LEAST_COLUMNS, LEAST_ROWS, Live, Options, Session};
 use hotrail::model::Program;
 use hotrail::source::Source;
@@ -305,7 +305,7 @@ fn what_hands_did_can_be_run_again() {
         let mut evaluator = Evaluator::new(&program);
         for scan in 0..again.len() {
             let row = again.row(scan);
-            row.drives.iter().for_each(|&(input, value)| evaluator.drive(input, value));
+            evaluator.drive_row(row);
             evaluator.scan(row.tick);
         }
         for (id, variable) in program.named_variables() {
