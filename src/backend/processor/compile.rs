@@ -124,7 +124,7 @@ impl Compiler<'_> {
         if let Some((first_scan, _)) = self.program.with_role(Role::FirstScan).next() {
             let coil = self.layout.bit(first_scan).expect("it is a BOOL");
             self.circuit(&Tree::constant(false)).ok();
-            self.word(Word::Output { operation: Operation::Coil, coil });
+            self.operation(Operation::Coil, coil);
         }
         self.word(Word::END);
         if self.rom.code.len() > CODE_WORDS && self.findings.is_empty() {

@@ -110,6 +110,16 @@ pub struct Call<'s> {
     pub arguments: Vec<Argument<'s>>,
 }
 
+impl<'s> Call<'s> {
+    /// What is written as a network among the arguments, in text order.
+    pub fn networks(&self) -> impl Iterator<Item = &Series<'s>> {
+        self.arguments.iter().filter_map(|argument| match &argument.value {
+            ArgumentValue::Network(network) => Some(network),
+            ArgumentValue::Expr(_) | ArgumentValue::List(..) => None,
+        })
+    }
+}
+
 /// One argument of a call.
 #[derive(Debug)]
 pub struct Argument<'s> {
