@@ -9,6 +9,8 @@ use hotrail::backend::processor::{self, Form, Image, Machine, Part, clocks_of_sc
 use hotrail::model::{Program, Role};
 use hotrail::source::Source;
 
+use super::relay;
+
 /// The registers that are compared: presets, counts, and the first words.
 pub const REGISTERS: u16 = 660;
 
@@ -17,6 +19,29 @@ pub fn image(text: &str) -> Option<(Program, Image)> {
     let (program, _) = hotrail::analyze(&Source::new("test.ladder", text));
     let program = program?;
     processor::compile(&program).ok().map(|image| (program, image))
+}
+
+/// Those of so many random programs that the processor can do, with their images and what to drive
+/// them with.
+pub fn random_programs(count: u64) -> impl Iterator<Item = (String, Program, Image, Rng)> {
+    (0..count).filter_map(|seed| {
+        let (program, image) = image(&relay::program(seed))?;
+        Some((format!("seed {seed}"), program, image, Rng::with_seed(seed)))
+    })
+}
+
+/// The examples that it can do, in the same way.
+///
+/// # Panics
+/// If there are hardly any.
+pub fn examples() -> Vec<(String, Program, Image, Rng)> {
+    let examples = super::examples().into_iter().filter_map(|example| {
+        let (program, image) = image(&fs::read_to_string(&example.ladder).unwrap())?;
+        Some((example.name(), program, image, Rng::with_seed(1)))
+    });
+    let examples: Vec<_> = examples.collect();
+    assert!(examples.len() > 5, "{} examples", examples.len());
+    examples
 }
 
 /// Ticks in a tenth of a second and in a second; 0 where a tick does not divide it.
