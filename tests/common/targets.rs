@@ -44,6 +44,7 @@ fn format(source: &Source) {
 fn render(source: &Source, findings: &[Diagnostic]) {
     for finding in findings {
         assert!(!diagnostic::render(finding, source, false).is_empty());
+        assert!(!diagnostic::render_json(finding, source).is_empty());
         assert!(finding.primary.span.range().end <= source.text().len());
     }
 }
