@@ -131,18 +131,6 @@ proptest! {
     }
 
     #[test]
-    fn any_words_are_read_to_their_end(
-        words in prop::collection::vec((prop::sample::select(WORDS), any::<bool>()), 0..60),
-        noise in prop::collection::vec(any::<u8>(), 0..200),
-    ) {
-        let spaced = words.iter().map(|(word, blank)| word.to_string() + if *blank { " " } else { "" });
-        let text: String = spaced.collect();
-        targets::program(&text);
-        targets::program(&format!("ladder demo input a output y var n : DINT {text}"));
-        targets::program(&String::from_utf8_lossy(&noise));
-    }
-
-    #[test]
     fn any_image_is_read_to_its_end(
         bytes in damaged(images()),
         noise in prop::collection::vec(any::<u8>(), 0..64),
@@ -158,5 +146,26 @@ proptest! {
     ) {
         targets::stimulus(&String::from_utf8_lossy(&bytes));
         targets::stimulus(&String::from_utf8_lossy(&lines));
+    }
+}
+
+proptest! {
+    // Most of these are read in no time.
+    #![proptest_config(ProptestConfig {
+        failure_persistence: None,
+        cases: ProptestConfig::default().cases * 10,
+        ..ProptestConfig::default()
+    })]
+
+    #[test]
+    fn any_words_are_read_to_their_end(
+        words in prop::collection::vec((prop::sample::select(WORDS), any::<bool>()), 0..60),
+        noise in prop::collection::vec(any::<u8>(), 0..200),
+    ) {
+        let spaced = words.iter().map(|(word, blank)| word.to_string() + if *blank { " " } else { "" });
+        let text: String = spaced.collect();
+        targets::program(&text);
+        targets::program(&format!("ladder demo input a output y var n : DINT {text}"));
+        targets::program(&String::from_utf8_lossy(&noise));
     }
 }

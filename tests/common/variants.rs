@@ -12,6 +12,7 @@ use hotrail::source::Source;
 use hotrail::syntax::ast::{ArgumentValue, Element, ElementKind, File, Item, Rung, Series};
 
 use super::analyze;
+use super::dice::Dice;
 
 /// What a new name begins with. No other program has such names.
 const NEW: &str = "changed_";
@@ -88,7 +89,7 @@ fn difference(program: &Program, other: &Program, scans: usize, mut random: Rng)
         for &(input, twin) in pairs.iter().filter(is_input) {
             let ty = program.variables[input].ty;
             if random.u8(..3) == 0 {
-                let value = ty.wrap(if random.bool() { random.i64(-3..4) } else { random.i64(..) });
+                let value = random.value(ty);
                 before.drive(input, value);
                 after.drive(twin, value);
             }
