@@ -7,7 +7,8 @@ use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use common::lp::{self, REGISTERS, Row, image};
+use common::emulated::compile;
+use common::lp::{self, REGISTERS, Row};
 use common::{amount, require_tool, run};
 use fastrand::Rng;
 use hotrail::backend::processor::Image;
@@ -146,6 +147,6 @@ fn the_longest_shifts_run_in_lock_step() {
         var up, down : WORD[32]
         rung step a:SHL(REG := up, EN := [ enable | !data ], DATA := data) ( last )
         rung step b:SHR(REG := down, EN := [ enable | !data ], DATA := data) ( first )";
-    let (program, image) = image(text).unwrap();
+    let (program, image) = compile(text).unwrap();
     compare("shifts", &program, &image, 200, Rng::with_seed(1));
 }
