@@ -9,7 +9,7 @@ use hotrail::eval::Evaluator;
 use hotrail::expand;
 use hotrail::model::{Program, Role, VariableId};
 use hotrail::source::Source;
-use hotrail::syntax::ast::{ArgumentValue, Element, ElementKind, File, Item, Rung, Series};
+use hotrail::syntax::ast::{Element, ElementKind, File, Item, Rung, Series};
 
 use super::analyze;
 use super::dice::Dice;
@@ -159,11 +159,7 @@ impl<'f> Parts<'f> {
                     net.connections.iter().for_each(|part| self.walk(&part.network, true));
                 }
                 ElementKind::Call(call) => {
-                    for argument in &call.arguments {
-                        if let ArgumentValue::Network(network) = &argument.value {
-                            self.walk(network, in_net);
-                        }
-                    }
+                    call.networks().for_each(|network| self.walk(network, in_net));
                 }
                 _ => {}
             }
