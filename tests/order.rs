@@ -2,6 +2,7 @@
 
 mod common;
 
+use common::dice::Dice;
 use common::{amount, generate};
 use fastrand::Rng;
 use hotrail::circuit::Simulator;
@@ -71,8 +72,8 @@ fn wrong_claim(text: &str, seed: u64) -> Option<String> {
         for &input in &inputs {
             let ty = before.variables[input].ty;
             if random.u8(..3) == 0 {
-                let value = if random.bool() { random.i64(-3..4) } else { random.i64(..) };
-                runs.iter_mut().for_each(|run| run.drive(input, ty.wrap(value)));
+                let value = random.value(ty);
+                runs.iter_mut().for_each(|run| run.drive(input, value));
             }
             bits.push(ty.bits(runs[0].value(input)));
         }

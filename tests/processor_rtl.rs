@@ -7,8 +7,9 @@ use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use common::lp::{self, REGISTERS, Row, image};
-use common::{amount, relay, require_tool, run};
+use common::emulated::compile;
+use common::lp::{self, REGISTERS, Row};
+use common::{amount, require_tool, run};
 use fastrand::Rng;
 use hotrail::backend::processor::Image;
 use hotrail::model::Program;
@@ -122,9 +123,8 @@ fn random_programs_run_in_lock_step() {
     if !require_tool("iverilog") {
         return;
     }
-    for seed in 0..amount("HOTRAIL_RANDOM_IMAGES", 8) {
-        let Some((program, image)) = image(&relay::program(seed)) else { continue };
-        compare(&format!("seed {seed}"), &program, &image, 40, Rng::with_seed(seed));
+    for (name, program, image, random) in lp::random_programs(amount("HOTRAIL_RANDOM_IMAGES", 8)) {
+        compare(&name, &program, &image, 40, random);
     }
 }
 
@@ -133,14 +133,9 @@ fn examples_that_the_processor_can_do_run_in_lock_step() {
     if !require_tool("iverilog") {
         return;
     }
-    let mut ran = 0;
-    for example in common::examples() {
-        let text = fs::read_to_string(&example.ladder).unwrap();
-        let Some((program, image)) = image(&text) else { continue };
-        compare(&example.name(), &program, &image, 60, Rng::with_seed(1));
-        ran += 1;
+    for (name, program, image, random) in lp::examples() {
+        compare(&name, &program, &image, 60, random);
     }
-    assert!(ran > 5, "{ran} examples");
 }
 
 #[test]
@@ -152,6 +147,6 @@ fn the_longest_shifts_run_in_lock_step() {
         var up, down : WORD[32]
         rung step a:SHL(REG := up, EN := [ enable | !data ], DATA := data) ( last )
         rung step b:SHR(REG := down, EN := [ enable | !data ], DATA := data) ( first )";
-    let (program, image) = image(text).unwrap();
+    let (program, image) = compile(text).unwrap();
     compare("shifts", &program, &image, 200, Rng::with_seed(1));
 }

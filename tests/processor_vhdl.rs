@@ -7,8 +7,8 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
-use common::lp::{self, REGISTERS, Row, image};
-use common::{amount, proof, relay, require_tool, run};
+use common::lp::{self, REGISTERS, Row};
+use common::{amount, proof, require_tool, run};
 use fastrand::Rng;
 use hotrail::backend::processor::Image;
 use hotrail::model::Program;
@@ -99,8 +99,8 @@ fn a_proof_fails_where_the_editions_differ() {
     assert!(!equal(&[], alter), "{file}: {new}");
 }
 
-/// Drives the processor and prints what [`lp::meant`] describes; image and registers are read by the
-/// host.
+/// Drives the processor and prints what [`lp::meant`] describes; image and registers are read by
+/// the host.
 fn bench(image: &Image, rows: &[Row]) -> String {
     let pins = image.rom.pins;
     let [tenth, second] = lp::ticks(image);
@@ -276,9 +276,10 @@ fn random_programs_run_in_lock_step() {
     if !require_tool("ghdl") {
         return;
     }
-    for seed in 0..amount("HOTRAIL_RANDOM_IMAGES", 8) / 4 {
-        let Some((program, image)) = image(&relay::program(seed)) else { continue };
-        compare(&format!("seed {seed}"), &program, &image, 40, Rng::with_seed(seed));
+    for (name, program, image, random) in
+        lp::random_programs(amount("HOTRAIL_RANDOM_IMAGES", 8) / 4)
+    {
+        compare(&name, &program, &image, 40, random);
     }
 }
 
@@ -287,12 +288,7 @@ fn examples_that_the_processor_can_do_run_in_lock_step() {
     if !require_tool("ghdl") {
         return;
     }
-    let mut ran = 0;
-    for example in common::examples() {
-        let text = fs::read_to_string(&example.ladder).unwrap();
-        let Some((program, image)) = image(&text) else { continue };
-        compare(&example.name(), &program, &image, 30, Rng::with_seed(1));
-        ran += 1;
+    for (name, program, image, random) in lp::examples() {
+        compare(&name, &program, &image, 30, random);
     }
-    assert!(ran > 5, "{ran} examples");
 }

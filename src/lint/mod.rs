@@ -21,6 +21,7 @@ mod read_above;
 mod running_equality;
 mod unreset;
 mod unwieldy;
+mod walk;
 
 use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::model::Program;

@@ -7,16 +7,34 @@ use std::path::Path;
 use fastrand::Rng;
 use hotrail::backend::processor::{self, Form, Image, Machine, Part, clocks_of_scan};
 use hotrail::model::{Program, Role};
-use hotrail::source::Source;
+
+use super::emulated::compile;
+use super::relay;
 
 /// The registers that are compared: presets, counts, and the first words.
 pub const REGISTERS: u16 = 660;
 
-/// The program and its image, if the processor can do it.
-pub fn image(text: &str) -> Option<(Program, Image)> {
-    let (program, _) = hotrail::analyze(&Source::new("test.ladder", text));
-    let program = program?;
-    processor::compile(&program).ok().map(|image| (program, image))
+/// Those of so many random programs that the processor can do, with their images and what to drive
+/// them with.
+pub fn random_programs(count: u64) -> impl Iterator<Item = (String, Program, Image, Rng)> {
+    (0..count).filter_map(|seed| {
+        let (program, image) = compile(&relay::program(seed)).ok()?;
+        Some((format!("seed {seed}"), program, image, Rng::with_seed(seed)))
+    })
+}
+
+/// The examples that it can do, in the same way.
+///
+/// # Panics
+/// If there are hardly any.
+pub fn examples() -> Vec<(String, Program, Image, Rng)> {
+    let examples = super::examples().into_iter().filter_map(|example| {
+        let (program, image) = compile(&fs::read_to_string(&example.ladder).unwrap()).ok()?;
+        Some((example.name(), program, image, Rng::with_seed(1)))
+    });
+    let examples: Vec<_> = examples.collect();
+    assert!(examples.len() > 5, "{} examples", examples.len());
+    examples
 }
 
 /// Ticks in a tenth of a second and in a second; 0 where a tick does not divide it.

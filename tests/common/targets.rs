@@ -1,5 +1,5 @@
-//! What has to hold for every input whatever, for the short fuzzing of `cargo test` and the long one of
-//! `cargo fuzz`. All of it panics where it does not hold.
+//! What has to hold for every input whatever, for the short fuzzing of `cargo test` and the long
+//! one of `cargo fuzz`. All of it panics where it does not hold.
 
 use fastrand::Rng;
 use hotrail::backend::hdl::{self, Language};
@@ -44,6 +44,7 @@ fn format(source: &Source) {
 fn render(source: &Source, findings: &[Diagnostic]) {
     for finding in findings {
         assert!(!diagnostic::render(finding, source, false).is_empty());
+        assert!(!diagnostic::render_json(finding, source).is_empty());
         assert!(finding.primary.span.range().end <= source.text().len());
     }
 }

@@ -1,5 +1,5 @@
-//! From the checked program to words: what the compiler keeps, and what it hands back. The rungs are
-//! in `rung`, the blocks in `call`.
+//! From the checked program to words: what the compiler keeps, and what it hands back. The rungs
+//! are in `rung`, the blocks in `call`.
 
 use std::collections::HashSet;
 
@@ -124,7 +124,7 @@ impl Compiler<'_> {
         if let Some((first_scan, _)) = self.program.with_role(Role::FirstScan).next() {
             let coil = self.layout.bit(first_scan).expect("it is a BOOL");
             self.circuit(&Tree::constant(false)).ok();
-            self.word(Word::Output { operation: Operation::Coil, coil });
+            self.operation(Operation::Coil, coil);
         }
         self.word(Word::END);
         if self.rom.code.len() > CODE_WORDS && self.findings.is_empty() {

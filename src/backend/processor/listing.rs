@@ -159,16 +159,20 @@ pub fn ladder(rom: &Rom, name: &str) -> Result<String, usize> {
         writeln!(text, "tick {}", quantity::time_text(rom.tick_ns.into())).expect("fits");
     }
     text.push('\n');
-    for &address in used.iter().filter(|&&address| address != ONE) {
-        let kind = match address {
-            FIRST_FLAG.. => "var",
-            FIRST_OUTPUT.. => "output",
-            _ => "input",
-        };
-        let initial = if rom.image.contains(&address) { " := 1" } else { "" };
-        writeln!(text, "{kind:<6} {} at {address}{initial}", bit_name(address)).expect("fits");
-    }
+    text.extend(used.iter().map(|&address| declaration(rom, address)));
     Ok(text + "\n" + &rungs)
+}
+
+/// The line that declares a bit; none for the one that is always on.
+fn declaration(rom: &Rom, address: Address) -> String {
+    let kind = match address {
+        ONE => return String::new(),
+        FIRST_FLAG.. => "var",
+        FIRST_OUTPUT.. => "output",
+        _ => "input",
+    };
+    let initial = if rom.image.contains(&address) { " := 1" } else { "" };
+    format!("{kind:<6} {} at {address}{initial}\n", bit_name(address))
 }
 
 fn bit_name(address: Address) -> String {

@@ -1,10 +1,10 @@
-//! The elements of a rung, from left to right: what only looks becomes part of the drawn power, what
-//! writes cuts the rung into circuits.
+//! The elements of a rung, from left to right: what only looks becomes part of the drawn power,
+//! what writes cuts the rung into circuits.
 
 use super::compile::{Compiler, Done, Reported};
 use super::power::Power;
 use super::tree::{Contact, Tree};
-use super::word::{Address, Operation, Word};
+use super::word::{Address, Operation};
 use crate::model::{CoilAction, Edge, Element, InstanceId, Place, Role, VariableId};
 use crate::source::Span;
 
@@ -25,7 +25,7 @@ impl Compiler<'_> {
     }
 
     fn element(&mut self, element: &Element, power: Power, wanted: bool) -> Done<Power> {
-        if is_contacts(element) {
+        if element.only_looks() {
             // What an edge contact writes is its own, so the drawn power stays what it is.
             let left = self.drawn(power)?;
             let part = self.contacts(element)?;
@@ -42,7 +42,7 @@ impl Compiler<'_> {
             Element::Invert => match power {
                 Power::InHand(None) => {
                     let coil = self.flag()?;
-                    self.word(Word::Output { operation: Operation::Inverted, coil });
+                    self.operation(Operation::Inverted, coil);
                     Ok(Power::Drawn(Tree::on(coil)))
                 }
                 power => {
@@ -119,7 +119,8 @@ impl Compiler<'_> {
         }
         let name = &self.program.variables[variable].name;
         Err(match self.program.variables[variable].role {
-            // The call is reported; a member of what the processor does not have is no other mistake.
+            // The call is reported; a member of what the processor does not have is no other
+            // mistake.
             Role::Member(..) => Reported,
             _ => self.cannot(span, "this contact", format!("`{name}` has no image address")),
         })
@@ -213,23 +214,5 @@ impl Compiler<'_> {
             }
         };
         self.write(power, operation, coil)
-    }
-}
-
-/// True for what only looks and whose conduction does not depend on the power.
-pub(super) fn is_contacts(element: &Element) -> bool {
-    match element {
-        Element::Constant(_)
-        | Element::Contact { .. }
-        | Element::Edge { .. }
-        | Element::Net(_)
-        | Element::Compare(..) => true,
-        Element::Parallel(branches) => branches.iter().flatten().all(is_contacts),
-        Element::OneShot { .. }
-        | Element::Invert
-        | Element::Coil { .. }
-        | Element::ResetInstance(_)
-        | Element::Assign { .. }
-        | Element::Call(_) => false,
     }
 }

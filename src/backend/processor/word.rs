@@ -1,4 +1,5 @@
-//! The words of the processor: 2 bits of code, 4 of attribute or operation, 10 of address or number.
+//! The words of the processor: 2 bits of code, 4 of attribute or operation, 10 of address or
+//! number.
 
 use std::fmt;
 
