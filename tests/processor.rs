@@ -144,7 +144,7 @@ fn random_tree(random: &mut Rng, depth: u32, bridges: bool) -> Tree {
 fn check_tree(tree: &Tree, random: &mut Rng) {
     let mut rom = processor::Rom::default();
     let mut flag = 512;
-    let fitted = processor::fit(tree, || {
+    let fitted = processor::fit(tree, 4, || {
         flag += 1;
         flag - 1
     });
@@ -193,7 +193,7 @@ fn deep_nesting_is_ordered_or_cut() {
                 tree = Tree::parallel(branches);
             }
             check_tree(&tree, &mut random);
-            let fitted = processor::fit(&tree, || 600);
+            let fitted = processor::fit(&tree, 4, || 600);
             assert!(fitted.before.len() <= flags, "{height}: {}", fitted.before.len());
         }
     }
@@ -206,7 +206,7 @@ fn the_words_of_a_tree_tell_the_tree() {
     for _ in 0..5000 {
         let depth = random.u32(1..6);
         let tree = random_tree(&mut random, depth, false);
-        let fitted = processor::fit(&tree, || 600);
+        let fitted = processor::fit(&tree, 4, || 600);
         if !fitted.before.is_empty() {
             continue;
         }

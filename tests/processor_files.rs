@@ -29,13 +29,14 @@ fn every_form_comes_back() {
         let (program, _) = hotrail::analyze(&Source::new("test.ladder", relay::program(seed)));
         let Ok(image) = processor::compile(&program.unwrap()) else { continue };
         let comments = [processor::parameters(&image.rom)];
+        let sizes = processor::sizes(&comments[0]);
         for form in Form::ALL {
             let read = Part::ALL.map(|part| {
                 let bytes = image.rom.memory(part).write(form, &comments);
-                part.read(form, &bytes).unwrap_or_else(|wrong| panic!("{form:?}: {wrong:?}"))
+                part.read(form, &bytes, sizes).unwrap_or_else(|wrong| panic!("{form:?}: {wrong:?}"))
             });
             let [code, registers, bits] = &read;
-            let back = Rom::of_memories(code, registers, bits, &comments[0]);
+            let back = Rom::of_memories(code, registers, bits, sizes, &comments[0]);
             assert_eq!(back, image.rom, "{form:?}, seed {seed}");
         }
     }
