@@ -2,8 +2,8 @@
 
 mod common;
 
-use common::emulated::compile;
-use common::{amount, checks};
+use common::emulated::{self, compile};
+use common::{amount, checks, lp, relay};
 use fastrand::Rng;
 use hotrail::backend::processor::{
     self, Bridge, Contact, Machine, Operation, Tree, Word, decode, encode,
@@ -143,8 +143,9 @@ fn random_tree(random: &mut Rng, depth: u32, bridges: bool) -> Tree {
 /// Runs a tree as the processor does, with what it needs in flags, and compares it with the tree.
 fn check_tree(tree: &Tree, random: &mut Rng) {
     let mut rom = processor::Rom::default();
+    rom.sizes.stack_depth = [2, 3, 4, 4, 5, 8][random.usize(..6)];
     let mut flag = 512;
-    let fitted = processor::fit(tree, 4, || {
+    let fitted = processor::fit(tree, rom.sizes.stack_depth, || {
         flag += 1;
         flag - 1
     });
@@ -224,6 +225,21 @@ fn the_words_of_a_tree_tell_the_tree() {
 fn random_programs() {
     let tally = checks::PROCESSOR.hold(amount("HOTRAIL_RANDOM_PROGRAMS", 1000));
     assert!(tally.skipped * 4 < tally.programs, "{} do not fit", tally.skipped);
+}
+
+/// With fewer registers words have other places, with shallow stacks lists go into flags.
+#[test]
+fn random_programs_on_the_smallest_machines() {
+    let mut ran = 0;
+    for seed in 0..amount("HOTRAIL_RANDOM_PROGRAMS", 1000) / 10 {
+        let depth = [2, 3, 4, 6][seed as usize % 4];
+        let Some((program, image)) = lp::smallest(&relay::program(seed), depth) else { continue };
+        assert!(image.rom.needs().stack_depth <= depth);
+        let wrong = emulated::difference(&program, &image, 40, Rng::with_seed(seed));
+        assert_eq!(wrong, None, "seed {seed}, stacks of {depth}");
+        ran += 1;
+    }
+    assert!(ran > 50, "{ran}");
 }
 
 /// The function paper's example: three registers, 0 enters at the low end.
