@@ -266,3 +266,18 @@ fn a_shift_over_three_registers_goes_as_the_paper_prints_it() {
         machine.scan(false);
     }
 }
+
+/// A bit of a word is written through power, on its own, with constants, and read above and below.
+#[test]
+fn bits_of_words_are_assigned() {
+    let text = "ladder bits input a, b, c output x, y, z var w : WORD := 16#0008 var n : INT[2]
+        rung { w.3 := a }
+        rung b { w.15 := TRUE } ( x )
+        rung c { w.15 := FALSE } w.15 ( y )
+        rung w.3 { w.3 := NOT w.3 } { n[1].0 := w.15 XOR a } ( z )
+        rung [ a | b w.3 ] { w.0 := a AND NOT (b OR w.0) } [ { w.1 := w.0 } | !w.1 ] { n[0].15 := c } (S z)
+        rung { w.7 := TRUE } { w.3 := w.7 = a }";
+    let (program, image) = compile(text).unwrap_or_else(|findings| panic!("{findings}"));
+    let wrong = emulated::difference(&program, &image, 2000, Rng::with_seed(1));
+    assert_eq!(wrong, None);
+}

@@ -202,7 +202,11 @@ var words : WORD[3] := [16#8001, 16#FFFF, 16#7FFE]"
     fn output(&mut self) -> String {
         let coil = self.pick(&self.coils.clone());
         match self.random.u32(..12) {
-            0 if !coil.contains('.') => format!("{{ {coil} := {} }}", self.condition(2)),
+            0 => {
+                let constant = self.chance(4).then(|| self.pick(&["TRUE", "FALSE"]).to_owned());
+                let value = constant.unwrap_or_else(|| self.condition(2));
+                format!("{{ {coil} := {value} }}")
+            }
             1 if !self.latches.is_empty() => format!("(R {})", self.pick(&self.latches.clone())),
             _ => {
                 let action = self.pick(&["", "", "", "", "!", "S ", "R ", "rise ", "fall "]);

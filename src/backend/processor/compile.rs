@@ -191,14 +191,20 @@ impl Compiler<'_> {
 
     /// Reports something that the processor cannot do.
     pub(super) fn cannot(&mut self, span: Span, what: &str, label: impl Into<String>) -> Reported {
-        let finding = Diagnostic::new(
-            code::NOT_ON_PROCESSOR,
-            span,
-            format!("the ladder processor cannot do {what}"),
-        )
-        .label(label)
-        .help("build it with --emit verilog or vhdl, which can");
-        self.report(finding)
+        self.refuse(span, what, label, "build it with --emit verilog or vhdl, which can")
+    }
+
+    /// The same where something else can be written instead.
+    pub(super) fn refuse(
+        &mut self,
+        span: Span,
+        what: &str,
+        label: impl Into<String>,
+        help: &str,
+    ) -> Reported {
+        let message = format!("the ladder processor cannot do {what}");
+        let finding = Diagnostic::new(code::NOT_ON_PROCESSOR, span, message);
+        self.report(finding.label(label).help(help))
     }
 
     /// A flag of this rung.
