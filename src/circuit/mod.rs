@@ -341,6 +341,21 @@ impl Circuit {
         }
     }
 
+    /// The nets that outputs show, instances take, and that enable registers and instances.
+    pub fn shown(&self) -> impl Iterator<Item = Net> {
+        let outputs = self.outputs.iter().map(|output| output.net);
+        let enables = self.registers.values().filter_map(|register| register.enable);
+        let instances = self.instances.values();
+        let given = instances.flat_map(|instance| instance.inputs.iter().chain(&instance.enable));
+        outputs.chain(enables).chain(given.copied())
+    }
+
+    /// Every net that something else than a cell reads: those shown, and the next values of
+    /// registers.
+    pub fn roots(&self) -> impl Iterator<Item = Net> {
+        self.shown().chain(self.registers.values().map(|register| register.next))
+    }
+
     /// The index of the output port of that name.
     pub fn output_named(&self, name: &str) -> Option<usize> {
         self.outputs.iter().position(|output| &*output.name == name)

@@ -73,7 +73,7 @@ pub fn families(circuit: &Circuit, ranges: &Ranges) -> Vec<Family> {
     if !circuit.cells().any(is_word) {
         return Vec::new();
     }
-    let live = reach(circuit, roots(circuit).collect(), usize::MAX, |_| None);
+    let live = reach(circuit, circuit.roots().collect(), usize::MAX, |_| None);
     let live = live.expect("there is no limit");
     let mut search = Search::default();
     for (net, cell) in circuit.cells().filter(|(net, _)| live.contains(net)) {
@@ -152,9 +152,7 @@ impl Search {
 
     /// Ends the families whose words are seen from outside, or that take words from outside.
     fn refuse_readers(&mut self, circuit: &Circuit) {
-        let shown = circuit.outputs.iter().map(|output| output.net);
-        let given = circuit.instances.values().flat_map(|instance| instance.inputs.iter().copied());
-        for net in shown.chain(given) {
+        for net in circuit.shown() {
             self.refused.extend(self.of.get(&net));
         }
         for (id, register) in circuit.registers.iter() {
@@ -261,7 +259,7 @@ fn look_inside(circuit: &Circuit, families: &mut [Family]) {
         }
     }
     let instead = |net| steps.get(&net).map(|(from, _)| *from);
-    let outside = reach(circuit, roots(circuit).collect(), usize::MAX, instead);
+    let outside = reach(circuit, circuit.roots().collect(), usize::MAX, instead);
     let outside = outside.expect("there is no limit");
     for (at, family) in families.iter_mut().enumerate() {
         let steps = family.members.iter().filter_map(|net| steps.get(net));
@@ -272,16 +270,6 @@ fn look_inside(circuit: &Circuit, families: &mut [Family]) {
                 && moved.iter().all(|&from| from == observer.of);
         }
     }
-}
-
-/// What is read from outside of the scan's computation.
-fn roots(circuit: &Circuit) -> impl Iterator<Item = Net> {
-    let shown = circuit.outputs.iter().map(|output| output.net);
-    let taken = circuit.registers.values().map(|register| register.next);
-    let given = circuit.instances.values().flat_map(|instance| instance.inputs.iter().copied());
-    let registers = circuit.registers.values().filter_map(|register| register.enable);
-    let enables = circuit.instances.values().filter_map(|instance| instance.enable);
-    shown.chain(taken).chain(given).chain(registers).chain(enables)
 }
 
 /// What the nets are computed from within the scan, up to a limit. `instead` names the one operand

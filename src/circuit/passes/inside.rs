@@ -7,21 +7,17 @@
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
+use super::place::{Comparison, Test};
 use super::rebuild::rebuild;
-use crate::circuit::{Cell, Circuit, Design, InstanceId, ModuleId, Net, Op, as_signed, mask};
+use crate::circuit::{Cell, Circuit, Design, InstanceId, ModuleId, Net, Op, as_signed};
 
 /// The most output ports of a module.
 const PORTS: usize = 64;
 
-/// What is asked of a word, which is read as a number with or without a sign.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-enum Test {
-    Is(u64),
-    AtLeast(u64, bool),
-}
-
+/// An output of a module, what is asked of it, and whether it is read with a sign.
+type Question = (u32, Test, bool);
 /// Questions of the outputs of a module, in order.
-type Questions = BTreeSet<(u32, Test)>;
+type Questions = BTreeSet<Question>;
 
 /// The design with comparisons inside of modules, if there is one to move.
 pub fn compare_inside(design: &Design) -> Option<Design> {
@@ -38,9 +34,9 @@ pub fn compare_inside(design: &Design) -> Option<Design> {
     modules.pop();
     let mut answering: HashMap<(ModuleId, &Questions), ModuleId> = HashMap::new();
     let mut moved = rebuild(top, |rebuild, _, cell| match question(top, cell) {
-        Some((id, output, test, is_yes)) if asked.contains_key(&id) => {
+        Some((id, question, is_yes)) if asked.contains_key(&id) => {
             let module = &design.modules[top.instances[id].module];
-            let place = asked[&id].iter().position(|&question| question == (output, test));
+            let place = asked[&id].iter().position(|&other| other == question);
             let Some(place) = place else { return rebuild.copy(cell) };
             let answer = rebuild.to.port(id, module.outputs.len() + place, 1);
             if is_yes { answer } else { rebuild.to.not(answer) }
@@ -70,46 +66,25 @@ fn asked(top: &Circuit) -> BTreeMap<InstanceId, Questions> {
     };
     for (_, cell) in top.cells() {
         match question(top, cell) {
-            Some((id, output, test, _)) => {
-                asked.entry(id).or_default().insert((output, test));
+            Some((id, question, _)) => {
+                asked.entry(id).or_default().insert(question);
             }
             None => top.for_each_operand(cell, &mut see),
         }
     }
-    top.outputs.iter().for_each(|output| see(output.net));
-    top.registers.values().for_each(|register| see(register.next));
-    top.instances.values().flat_map(|instance| &instance.inputs).for_each(|&net| see(net));
+    top.roots().for_each(see);
     for (id, questions) in &mut asked {
-        questions.retain(|(output, _)| !read.contains(&(*id, *output)));
+        questions.retain(|(output, ..)| !read.contains(&(*id, *output)));
     }
     asked.retain(|_, questions| !questions.is_empty());
     asked
 }
 
-/// The instance, its output and the question of a comparison with a constant, and whether it is 1
-/// for yes.
-fn question(top: &Circuit, cell: Cell) -> Option<(InstanceId, u32, Test, bool)> {
-    let port = |net: Net| match top.cell(net).op {
-        Op::Port(id, output) => Some((id, output)),
-        _ => None,
-    };
-    let constant = |net: Net| top.constant_value(net);
-    match cell.op {
-        Op::Eq(net, number) => {
-            let (id, output) = port(net)?;
-            Some((id, output, Test::Is(constant(number)?), true))
-        }
-        Op::Less { a, b, signed } => match (port(a), port(b)) {
-            (Some((id, output)), _) => {
-                Some((id, output, Test::AtLeast(constant(b)?, signed), false))
-            }
-            (_, Some((id, output))) => {
-                // The builder knows that nothing is above the highest number.
-                let above = constant(a)?.wrapping_add(1) & mask(top.width(a));
-                Some((id, output, Test::AtLeast(above, signed), true))
-            }
-            _ => None,
-        },
+/// The instance and the question of a comparison with a constant, and whether it is 1 for yes.
+fn question(top: &Circuit, cell: Cell) -> Option<(InstanceId, Question, bool)> {
+    let Comparison { of, test, signed, is_yes } = Comparison::of(top, cell)?;
+    match top.cell(of).op {
+        Op::Port(id, output) => Some((id, (output, test, signed), is_yes)),
         _ => None,
     }
 }
@@ -117,7 +92,7 @@ fn question(top: &Circuit, cell: Cell) -> Option<(InstanceId, u32, Test, bool)> 
 /// The module with an output for each question.
 fn answer(module: &Circuit, questions: &Questions) -> Circuit {
     let mut module = module.clone();
-    for &(output, test) in questions {
+    for &(output, test, signed) in questions {
         let output = &module.outputs[output as usize];
         let (name, net) = (output.name.clone(), output.net);
         let width = module.width(net);
@@ -130,7 +105,7 @@ fn answer(module: &Circuit, questions: &Questions) -> Circuit {
                 let number = module.constant(bits, width);
                 (format!("{name}_is_{}", text(bits, false)), Circuit::eq(&mut module, net, number))
             }
-            Test::AtLeast(bits, signed) => {
+            Test::AtLeast(bits) => {
                 let number = module.constant(bits, width);
                 let below = module.less(net, number, signed);
                 (format!("{name}_at_least_{}", text(bits, signed)), module.not(below))

@@ -1,8 +1,8 @@
 //! Makes one register of those that always hold the same.
 //!
 //! Before: any circuit. After: the same outputs in every scan; no two registers take the same net
-//! at the same clocks and have the same reset value, but for those that an output shows under their own name: readers
-//! look for them, and synthesis merges them without our help.
+//! at the same clocks and have the same reset value, but for those that an output shows under their
+//! own name: readers look for them, and synthesis merges them without our help.
 
 use std::collections::{HashMap, HashSet};
 

@@ -8,8 +8,8 @@ const QUESTIONS: usize = 2;
 /// The most cells between a question and what is asked instead.
 const CELLS: u32 = 32;
 
-/// A question about an unsigned word.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+/// A question about a word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Test {
     /// Is it this number?
     Is(u64),
@@ -18,7 +18,7 @@ pub enum Test {
 }
 
 impl Test {
-    /// The answer for a number.
+    /// The answer for a number without a sign.
     pub fn of(self, number: u64) -> bool {
         match self {
             Test::Is(other) => number == other,
@@ -27,21 +27,46 @@ impl Test {
     }
 }
 
-/// A word and what is asked of it.
+/// A word without a sign and what is asked of it.
 pub type Place = (Net, Test);
 
-/// What a comparison with a constant asks, and whether the answer yes is 1.
-pub fn asked(circuit: &Circuit, cell: Cell) -> Option<(Place, bool)> {
-    let constant = |net: Net| circuit.constant_value(net);
-    match cell.op {
-        Op::Eq(net, other) => Some(((net, Test::Is(constant(other)?)), true)),
-        Op::Less { a, b, signed: false } => match (constant(a), constant(b)) {
-            (None, Some(bound)) => Some(((a, Test::AtLeast(bound)), false)),
-            (Some(bound), None) => Some(((b, Test::AtLeast(bound.checked_add(1)?)), true)),
-            _ => None,
-        },
-        _ => None,
+/// A comparison of a word with a constant, as a question.
+pub struct Comparison {
+    /// The word.
+    pub of: Net,
+    /// What is asked.
+    pub test: Test,
+    /// The order of the words is that of numbers in two's complement.
+    pub signed: bool,
+    /// The comparison is 1 where the answer is yes.
+    pub is_yes: bool,
+}
+
+impl Comparison {
+    /// What a cell asks, if it is a comparison with a constant.
+    pub fn of(circuit: &Circuit, cell: Cell) -> Option<Comparison> {
+        let constant = |net: Net| circuit.constant_value(net);
+        let (of, test, signed, is_yes) = match cell.op {
+            Op::Eq(net, other) => (net, Test::Is(constant(other)?), false, true),
+            Op::Less { a, b, signed } => match (constant(a), constant(b)) {
+                (None, Some(bound)) => (a, Test::AtLeast(bound), signed, false),
+                // The builder knows that nothing is above the highest number.
+                (Some(bound), None) => {
+                    let above = bound.wrapping_add(1) & mask(circuit.width(b));
+                    (b, Test::AtLeast(above), signed, true)
+                }
+                _ => return None,
+            },
+            _ => return None,
+        };
+        Some(Comparison { of, test, signed, is_yes })
     }
+}
+
+/// What a comparison of words without a sign with a constant asks, and whether the answer yes is 1.
+pub fn asked(circuit: &Circuit, cell: Cell) -> Option<(Place, bool)> {
+    let comparison = Comparison::of(circuit, cell)?;
+    (!comparison.signed).then_some(((comparison.of, comparison.test), comparison.is_yes))
 }
 
 /// How the answer follows from what a word is computed from.

@@ -72,15 +72,13 @@ struct Readers {
     cells: Vec<Vec<Net>>,
     /// The registers that take a net.
     taken: HashMap<Net, Vec<RegisterId>>,
-    /// Outputs and inputs of instances.
+    /// What is read by anything but cells and the values of registers.
     shown: HashSet<Net>,
 }
 
 impl Readers {
     fn of(circuit: &Circuit) -> Self {
-        let given = circuit.instances.values().flat_map(|instance| instance.inputs.iter().copied());
-        let shown: HashSet<Net> =
-            circuit.outputs.iter().map(|output| output.net).chain(given).collect();
+        let shown: HashSet<Net> = circuit.shown().collect();
         let mut taken: HashMap<Net, Vec<RegisterId>> = HashMap::new();
         for (id, register) in circuit.registers.iter() {
             taken.entry(register.next).or_default().push(id);

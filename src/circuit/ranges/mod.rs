@@ -52,14 +52,19 @@ impl Ranges {
     }
 
     /// What the value of a register, whose net `word` is, can be in the scans in which the one of
-    /// a flag is 1. Nothing if the flag is never 1, or too much is possible.
+    /// a flag is 1, if both take their next values at the same clocks. Nothing if they do not, if
+    /// the flag is never 1, or if too much is possible.
     pub fn interval_while(&self, circuit: &Circuit, word: Net, flag: Net) -> Option<Interval> {
         let (Op::Register(id), Op::Register(flag_id)) =
             (circuit.cell(word).op, circuit.cell(flag).op)
         else {
             return None;
         };
-        let (register, comes_on) = (&circuit.registers[id], circuit.registers[flag_id].next);
+        let (register, flag_register) = (&circuit.registers[id], &circuit.registers[flag_id]);
+        if register.enable != flag_register.enable {
+            return None;
+        }
+        let comes_on = flag_register.next;
         // What it takes where the flag is now that bit, and will be on.
         let next = |now: bool, interval: Interval| {
             let next = self.assumptions(circuit).where_in(word, interval, |under| {
@@ -70,7 +75,7 @@ impl Ranges {
             next.flatten().flatten()
         };
         let marks = marks(circuit, id);
-        let is_on = circuit.registers[flag_id].reset == 1;
+        let is_on = flag_register.reset == 1;
         let reset = is_on.then(|| Interval::bits(register.reset, register.width));
         let start = next(false, self.interval(circuit, word));
         let mut interval = join(reset, start)?;
