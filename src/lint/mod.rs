@@ -22,6 +22,7 @@ mod running_equality;
 mod unreset;
 mod unwieldy;
 mod walk;
+mod zero_divisor;
 
 use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::model::Program;
@@ -60,6 +61,7 @@ const RULES: &[Rule] = &[
     unreset::check,
     running_equality::check,
     divider::check,
+    zero_divisor::check,
 ];
 
 /// The warnings and notes on a program, in the order of their places. What the options deny is

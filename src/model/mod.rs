@@ -53,6 +53,8 @@ pub struct Program {
     pub tests: Vec<Test>,
     /// The named constants; wherever one is used, its value stands already.
     pub constants: Vec<Constant>,
+    /// Where a divisor is the constant 0, each place once or more often.
+    pub zero_divisors: Vec<Span>,
 }
 
 impl Program {

@@ -200,7 +200,11 @@ var words : WORD[3] := [16#8001, 16#FFFF, 16#7FFE]"
     fn output(&mut self) -> String {
         let coil = self.random.pick(&self.coils);
         match self.random.u32(..12) {
-            0 if !coil.contains('.') => format!("{{ {coil} := {} }}", self.condition(2)),
+            0 => {
+                let constant = self.random.chance(4).then(|| self.random.pick(&["TRUE", "FALSE"]));
+                let value = constant.map_or_else(|| self.condition(2), str::to_owned);
+                format!("{{ {coil} := {value} }}")
+            }
             1 if !self.latches.is_empty() => format!("(R {})", self.random.pick(&self.latches)),
             _ => {
                 let action = self.random.pick(&["", "", "", "", "!", "S ", "R ", "rise ", "fall "]);

@@ -52,15 +52,16 @@ fn render(source: &Source, findings: &[Diagnostic]) {
 /// Reads bytes as an image in every form, and runs what can be run.
 pub fn image(bytes: &[u8]) {
     let text = String::from_utf8_lossy(bytes);
+    let sizes = processor::sizes(&text);
     for form in Form::ALL {
         for part in Part::ALL {
-            let Ok(memory) = part.read(form, bytes) else { continue };
-            let none = Rom::default();
+            let Ok(memory) = part.read(form, bytes, sizes) else { continue };
+            let none = Rom { sizes, ..Rom::default() };
             let [code, registers, bits] = Part::ALL.map(|part| none.memory(part));
             run(&match part {
-                Part::Code => Rom::of_memories(&memory, &registers, &bits, &text),
-                Part::Registers => Rom::of_memories(&code, &memory, &bits, &text),
-                Part::Bits => Rom::of_memories(&code, &registers, &memory, &text),
+                Part::Code => Rom::of_memories(&memory, &registers, &bits, sizes, &text),
+                Part::Registers => Rom::of_memories(&code, &memory, &bits, sizes, &text),
+                Part::Bits => Rom::of_memories(&code, &registers, &memory, sizes, &text),
             });
         }
     }

@@ -21,7 +21,7 @@ impl Compiler<'_> {
     /// Works a power out, so that it is in hand.
     pub(super) fn circuit(&mut self, tree: &Tree) -> Done<()> {
         let mut full = None;
-        let fitted = fit(tree, || {
+        let fitted = fit(tree, self.rom.sizes.stack_depth, || {
             self.flag().unwrap_or_else(|reported| {
                 full = Some(reported);
                 0

@@ -55,6 +55,9 @@ impl Compiler<'_> {
                 None => self.register_coil(target, *action, *span, power),
             },
             Element::ResetInstance(instance) => self.reset_instance(*instance, power),
+            Element::Assign { target, value, span } if target.bit.is_some() => {
+                self.assign_bit(target, value, *span, power)
+            }
             Element::Assign { target, value, span } => {
                 let target = self.whole(target, *span)?;
                 self.assign(target, value, *span, power)
@@ -108,7 +111,8 @@ impl Compiler<'_> {
     pub(super) fn whole(&mut self, place: &Place, span: Span) -> Done<VariableId> {
         place.as_variable().ok_or_else(|| {
             let label = format!("`{}` has no address of its own", place.name(self.program));
-            self.cannot(span, "bits of words and elements chosen while it runs", label)
+            let help = "choose it with a constant, or build it with --emit verilog or vhdl";
+            self.refuse(span, "elements chosen while it runs", label, help)
         })
     }
 

@@ -170,6 +170,22 @@ impl Operation {
         self.entry().1
     }
 
+    /// The parameter of the hardware without which it does nothing, if it is a function.
+    pub fn parameter(self) -> Option<&'static str> {
+        match self {
+            Operation::TimerSeconds | Operation::TimerTenths => Some("TIMERS"),
+            Operation::CountUp | Operation::CountDown => Some("COUNTERS"),
+            Operation::Drum => Some("DRUMS"),
+            Operation::ShiftRight | Operation::ShiftLeft => Some("SHIFTS"),
+            Operation::BitSet | Operation::BitClear => Some("BITS"),
+            Operation::Coil
+            | Operation::Set
+            | Operation::Reset
+            | Operation::Inverted
+            | Operation::End => None,
+        }
+    }
+
     /// True for what a prefix must give further numbers.
     pub fn is_function(self) -> bool {
         self.code() < Operation::Coil.code()
