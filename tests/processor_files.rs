@@ -244,6 +244,7 @@ fn an_image_for_a_small_machine_comes_back() {
     assert_eq!(hotrail(path, &["rom", "out/small.bin", "--processor", sizes]).1, shown);
     for (sizes, told) in [
         ("CODE_WORDS=14", "the program needs 15 words, the ladder processor has 14"),
+        ("CODE_WORDS=14", "give the processor more with --processor"),
         ("IMAGE_BITS=4", "IMAGE_BITS is 8 to 1024"),
         ("REGISTERS=2048", "REGISTERS is 8 to 2047"),
         ("WORDS=13", "none of the sizes CODE_WORDS, IMAGE_BITS, REGISTERS, STACK_DEPTH"),

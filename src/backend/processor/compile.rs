@@ -3,7 +3,7 @@
 
 use std::collections::HashSet;
 
-use super::layout::{Layout, full};
+use super::layout::{Layout, full, no_room_help};
 use super::listing::{Symbols, listing};
 use super::power::Power;
 use super::rom::Rom;
@@ -148,7 +148,7 @@ impl Compiler<'_> {
             let message = format!("the program needs {need} words, the ladder processor has {has}");
             let found = full(span, message)
                 .label("from here on there is no room")
-                .help("build it with --emit verilog or vhdl, or make two programs of it");
+                .help(no_room_help(self.rom.sizes));
             self.findings.push(found);
         }
         assert!(!self.failed || !self.findings.is_empty(), "a rung is given up with a word on why");

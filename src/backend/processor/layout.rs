@@ -115,7 +115,7 @@ impl Layout {
             let what = region(first);
             full(span, format!("the ladder processor has {} {what}s", end - first))
                 .label(format!("no {what} is left for this"))
-                .help("build it with --emit verilog or vhdl, or make two programs of it")
+                .help(no_room_help(self.sizes))
                 .into()
         })
     }
@@ -217,7 +217,7 @@ impl Layout {
         if *next == count {
             return Err(full(span, format!("the ladder processor has {count} {what}"))
                 .label("one more")
-                .help("build it with --emit verilog or vhdl, or make two programs of it")
+                .help(no_room_help(sizes))
                 .into());
         }
         *next += 1;
@@ -236,4 +236,13 @@ impl Layout {
 /// A finding about a limit of the processor.
 pub(super) fn full(span: Span, message: String) -> Diagnostic {
     Diagnostic::new(code::PROCESSOR_FULL, span, message)
+}
+
+/// What to do where a processor of these sizes is full.
+pub(super) fn no_room_help(sizes: Sizes) -> &'static str {
+    if sizes == Sizes::default() {
+        "build it with --emit verilog or vhdl, or make two programs of it"
+    } else {
+        "give the processor more with --processor, or build it with --emit verilog or vhdl"
+    }
 }
