@@ -3,7 +3,8 @@
 use fastrand::Rng;
 
 use super::Pass;
-use crate::circuit::{Circuit, Design, Net, Op, Simulator};
+use super::same::assert_same;
+use crate::circuit::{Circuit, Design, Net, Op};
 
 /// Gates over four inputs; some nets are outputs.
 fn random(seed: u64) -> Circuit {
@@ -58,20 +59,7 @@ pub fn assert_held(pass: Pass) {
         changed += 1;
         before += operands(&circuit);
         after += operands(&better);
-        let ports = circuit.outputs.len();
-        let [circuit, better] = [circuit, better].map(|circuit| {
-            let design = Design { modules: [circuit].into_iter().collect() };
-            design.validate().expect("a pass makes valid circuits")
-        });
-        let (mut first, mut second) = (Simulator::new(&circuit), Simulator::new(&better));
-        for row in 0..16 {
-            let row: Vec<u64> = (0..4).map(|bit| row >> bit & 1).collect();
-            first.settle(&row);
-            second.settle(&row);
-            for port in 0..ports {
-                assert_eq!(second.output(port), first.output(port), "circuit {seed}, {row:?}");
-            }
-        }
+        assert_same(seed, &circuit, Design { modules: [better].into_iter().collect() }, 64);
     }
     assert!(changed > 100, "only {changed} circuits were changed");
     assert!(after < before, "{before} operands became {after}");

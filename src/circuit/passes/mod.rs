@@ -17,6 +17,8 @@ mod narrow;
 mod place;
 mod ports;
 mod rebuild;
+#[cfg(test)]
+mod same;
 mod saturate;
 mod share;
 mod together;

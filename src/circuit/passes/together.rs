@@ -253,7 +253,8 @@ mod tests {
     use fastrand::Rng;
 
     use super::*;
-    use crate::circuit::{Design, Simulator};
+    use crate::circuit::Design;
+    use crate::circuit::passes::same::assert_same;
 
     /// A word that counts up to a number while an input is 1, and flip-flops that numbers set and
     /// reset.
@@ -304,21 +305,7 @@ mod tests {
             let circuit = random(&mut rng);
             let Some(better) = move_together(&circuit) else { continue };
             changed += 1;
-            let ports = circuit.outputs.len();
-            let [circuit, better] = [circuit, better].map(|circuit| {
-                Design { modules: [circuit].into_iter().collect() }.validate().unwrap()
-            });
-            let (mut first, mut second) = (Simulator::new(&circuit), Simulator::new(&better));
-            for scan in 0..60 {
-                let row = [rng.u64(..2)];
-                first.settle(&row);
-                second.settle(&row);
-                for port in 0..ports {
-                    assert_eq!(second.output(port), first.output(port), "{case}, scan {scan}");
-                }
-                first.clock();
-                second.clock();
-            }
+            assert_same(case, &circuit, Design { modules: [better].into_iter().collect() }, 60);
         }
         assert!((100..2900).contains(&changed), "{changed} of the circuits were changed");
     }
