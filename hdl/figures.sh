@@ -29,7 +29,7 @@ with() { # title, then 1 or 0 for timers, counters, drums, shifts, bits
   figures "$1" INPUTS 8 OUTPUTS 8 TIMERS "$2" COUNTERS "$3" DRUMS "$4" SHIFTS "$5" BITS "$6"
 }
 
-printf '| %-44s | %4s | %9s | %9s | %8s |\n' "eight inputs and outputs" LUT4 flip-flop "block RAM" clock
+printf '| %-44s | %4s | %9s | %9s | %8s |\n' "eight inputs and outputs" LUT4 flip-flops "block RAM" clock
 echo "|---|---|---|---|---|"
 with "contacts, coils, stacks, image, host bus" 0 0 0 0 0
 with "and bits of registers"                    0 0 0 0 1

@@ -4,8 +4,11 @@
 // While `halt` is on, no new scan begins, and between scans (`idle`) a host may load code and write
 // and read the image and the registers. docs/processor.md describes every word.
 module ladder_processor #(
-    parameter INPUTS = 16,              // pins: bits 0.. of the image, up to 256
-    parameter OUTPUTS = 16,             // pins: bits 256.. of the image, up to 256
+    parameter INPUTS = 16,              // pins: bits 0.. of the image, up to a quarter of it
+    parameter OUTPUTS = 16,             // pins: bits 256.. of the image, up to a quarter of it
+    parameter CODE_WORDS = 1024,        // 2 to 1024; memories grow to the next power of two
+    parameter IMAGE_BITS = 1024,        // 8 to 1024: a quarter inputs, a quarter outputs, half flags
+    parameter REGISTERS = 2047,         // 8 to 2047: a quarter from 0, a quarter from 512, half from 1024
     parameter TIMERS = 1,               // 0: left out; all five: no registers either
     parameter COUNTERS = 1,
     parameter DRUMS = 1,
@@ -13,7 +16,7 @@ module ladder_processor #(
     parameter BITS = 1,                 // bit set and bit clear
     parameter TICKS_PER_TENTH = 100,    // ticks in a tenth of a second; 0: no timers of tenths
     parameter TICKS_PER_SECOND = 1000,
-    parameter STACK_DEPTH = 4,          // bits of each stack
+    parameter STACK_DEPTH = 4,          // bits of each stack, 2 or more
     parameter CODE_FILE = "",           // NAME.hex
     parameter REGISTER_FILE = "",       // NAME_regs.hex
     parameter IMAGE_FILE = ""           // NAME_image.hex
@@ -41,7 +44,25 @@ module ladder_processor #(
     output wire [15:0] RM_out
 );
   localparam FUNCTIONS = TIMERS != 0 || COUNTERS != 0 || DRUMS != 0 || SHIFTS != 0 || BITS != 0;
+  localparam CODE_ADDRESS_BITS = $clog2(CODE_WORDS);
+  localparam QUARTER = (1 << $clog2(IMAGE_BITS)) / 4;
   localparam [3:0] COIL = 4'd9, SET = 4'd10, RESET = 4'd11, INVERTED = 4'd12, END = 4'd15;
+
+  // A size that cannot be built names a module that does not exist.
+  generate
+    if (CODE_WORDS < 2 || CODE_WORDS > 1024)
+      CODE_WORDS_is_2_to_1024 illegal_code_words ();
+    if (IMAGE_BITS < 8 || IMAGE_BITS > 1024)
+      IMAGE_BITS_is_8_to_1024 illegal_image_bits ();
+    if (REGISTERS < 8 || REGISTERS > 2047)
+      REGISTERS_is_8_to_2047 illegal_registers ();
+    if (STACK_DEPTH < 2)
+      STACK_DEPTH_is_2_or_more illegal_stack_depth ();
+    if (INPUTS < 0 || INPUTS > QUARTER)
+      INPUTS_is_0_to_a_quarter_of_IMAGE_BITS illegal_inputs ();
+    if (OUTPUTS < 0 || OUTPUTS > QUARTER)
+      OUTPUTS_is_0_to_a_quarter_of_IMAGE_BITS illegal_outputs ();
+  endgenerate
 
   wire resetting, start_scan, reading_inputs, running, valid, writing_outputs;
   wire hold, end_word;
@@ -55,11 +76,12 @@ module ladder_processor #(
 
   // The word behind the one in work, and the one in work.
   wire [15:0] code_out;
-  lp_memory #(.WIDTH(16), .ADDRESS_BITS(10), .CONTENTS(CODE_FILE)) code_memory (
+  lp_memory #(.WIDTH(16), .ADDRESS_BITS(CODE_ADDRESS_BITS), .CONTENTS(CODE_FILE)) code_memory (
       .clk(clk),
-      .write(idle & code_write), .write_address(waddr), .write_data(code_in),
-      .read(~hold), .read_address(count[9:0]), .read_data(code_out)
+      .write(idle & code_write), .write_address(waddr[CODE_ADDRESS_BITS-1:0]), .write_data(code_in),
+      .read(~hold), .read_address(count[CODE_ADDRESS_BITS-1:0]), .read_data(code_out)
   );
+  wire unused_address = &{1'b0, waddr};
   reg [15:0] word;
   always @(posedge clk) if (~hold) word <= code_out;
   wire [1:0] code  = word[15:14];
@@ -86,7 +108,9 @@ module ladder_processor #(
   wire value  = field == SET | (field == COIL & pwra) | (field == INVERTED & ~pwra);
   wire function_coil, function_writes;
   wire [9:0] function_address;
-  lp_image #(.INPUTS(INPUTS), .OUTPUTS(OUTPUTS), .CONTENTS(IMAGE_FILE)) image (
+  lp_image #(
+      .INPUTS(INPUTS), .OUTPUTS(OUTPUTS), .SIZE(IMAGE_BITS), .CONTENTS(IMAGE_FILE)
+  ) image (
       .clk(clk), .inputs(inputs), .outputs(outputs),
       .rst(rst), .resetting(resetting), .idle(idle), .start_scan(start_scan),
       .reading_inputs(reading_inputs), .running(running), .writing_outputs(writing_outputs),
@@ -123,7 +147,7 @@ module ladder_processor #(
           .written_word(written_word),
           .write_coil(function_writes), .coil_address(function_address), .coil(function_coil)
       );
-      lp_registers #(.CONTENTS(REGISTER_FILE)) register_array (
+      lp_registers #(.SIZE(REGISTERS), .CONTENTS(REGISTER_FILE)) register_array (
           .clk(clk), .rst(rst), .resetting(resetting), .idle(idle), .count(count),
           .read_register(read_register), .read_word(read_word),
           .write_register(write_register), .written_register(written_register),

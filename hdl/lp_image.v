@@ -1,7 +1,8 @@
-// The image: 1024 bits for inputs, outputs and flags, what they are at reset, and the pins.
+// The image: bits for inputs, outputs and flags, what they are at reset, and the pins.
 module lp_image #(
     parameter INPUTS = 16,
     parameter OUTPUTS = 16,
+    parameter SIZE = 1024,              // 8 to 1024, grown to the next power of two
     parameter CONTENTS = ""             // what the bits are at reset
 ) (
     input  wire                                clk,
@@ -32,6 +33,15 @@ module lp_image #(
     output wire        io_out
 );
   localparam IN = INPUTS > 0 ? INPUTS : 1, OUT = OUTPUTS > 0 ? OUTPUTS : 1;
+  // Where an address stands: a quarter of the memory each for addresses from 0 and from 256, half of
+  // it for those from 512 on. So an address means the same whatever the size; what lies beyond
+  // falls together with what is there.
+  localparam PLACE_BITS = $clog2(SIZE);
+  function [PLACE_BITS-1:0] place_of(input [9:0] address);
+    // The comparison of constants leaves nothing of the choice where every address has its place.
+    place_of = {address[9], address[PLACE_BITS == 10 || address[9] ? PLACE_BITS-2 : 8],
+                address[PLACE_BITS-3:0]};
+  endfunction
   localparam [31:0] PINS = OUTPUTS;
 
   // Bits at reset, inputs and those of the host are written one clock after their turn: a bit at
@@ -48,10 +58,10 @@ module lp_image #(
   end
 
   wire initial_bit;
-  lp_memory #(.WIDTH(1), .ADDRESS_BITS(10), .CONTENTS(CONTENTS)) initial_bits (
+  lp_memory #(.WIDTH(1), .ADDRESS_BITS(PLACE_BITS), .CONTENTS(CONTENTS)) initial_bits (
       .clk(clk),
-      .write(idle & io_write & at_reset), .write_address(io_addr), .write_data(io_in),
-      .read(1'b1), .read_address(place), .read_data(initial_bit)
+      .write(idle & io_write & at_reset), .write_address(place_of(io_addr)), .write_data(io_in),
+      .read(1'b1), .read_address(place_of(place)), .read_data(initial_bit)
   );
 
   // The inputs go in one by one, the first first.
@@ -65,12 +75,13 @@ module lp_image #(
   wire put = resets | samples | hosts;
   wire put_bit = resets ? initial_bit | is_one : samples ? sampled[0] : host_bit;
 
-  wire       write         = put | write_coil;
-  wire [9:0] write_address = put ? put_place : coil_address;
-  wire       write_bit     = put ? put_bit : coil;
-  wire [9:0] read_address  = running ? next_address : {writing_outputs ? 2'b01 : place[9:8], place[7:0]};
+  wire write     = put | write_coil;
+  wire write_bit = put ? put_bit : coil;
+  wire [PLACE_BITS-1:0] write_address = place_of(put ? put_place : coil_address);
+  wire [PLACE_BITS-1:0] read_address
+    = place_of(running ? next_address : {writing_outputs ? 2'b01 : place[9:8], place[7:0]});
   wire stored;
-  lp_memory #(.WIDTH(1), .ADDRESS_BITS(10)) bits (
+  lp_memory #(.WIDTH(1), .ADDRESS_BITS(PLACE_BITS)) bits (
       .clk(clk),
       .write(write), .write_address(write_address), .write_data(write_bit),
       .read(advance), .read_address(read_address), .read_data(stored)

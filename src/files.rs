@@ -264,8 +264,9 @@ fn check_target(path: &Path, sources: &[PathBuf], force: Force) -> Result<(), Fi
     if metadata.is_symlink() {
         return Err(refuse("is a symbolic link").help("remove it first"));
     }
-    let same = |source: &PathBuf| matches!((source.canonicalize(), path.canonicalize()), (Ok(a), Ok(b)) if a == b);
-    if sources.iter().any(same) {
+    let target = path.canonicalize().ok();
+    let is_target = |source: &PathBuf| target.is_some() && source.canonicalize().ok() == target;
+    if sources.iter().any(is_target) {
         return Err(refuse("is a source").help("choose another folder"));
     }
     if !metadata.is_file() {

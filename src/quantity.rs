@@ -59,10 +59,19 @@ fn scaled(number: &str, unit: i128) -> Option<i128> {
     (part % scale == 0).then(|| whole.checked_mul(unit))?.map(|whole| whole + part / scale)
 }
 
-/// A length in nanoseconds as a person would write it: `1ms`, `2m30s`, `1.5ms`.
+/// A number of ticks as a time: `1500ms`, `-2m30s`. A tick has that many nanoseconds.
+pub fn ticks_text(ticks: i64, tick_ns: u64) -> String {
+    time_text(i128::from(ticks) * i128::from(tick_ns))
+}
+
+/// A length in nanoseconds as a person would write it, without fractions: `1ms`, `2m30s`, `1500us`,
+/// `-7ns`.
 pub fn time_text(ns: i128) -> String {
     if ns == 0 {
         return "0s".to_owned();
+    }
+    if ns < 0 {
+        return format!("-{}", time_text(-ns));
     }
     if ns % 1_000_000 != 0 {
         let (name, unit) = if ns % 1_000 == 0 { ("us", 1_000) } else { ("ns", 1) };
@@ -99,7 +108,9 @@ mod tests {
         assert_eq!(time_ns("99999999999999999999999d"), None);
         for text in ["1ms", "1500ms", "2m30s", "1h", "15us", "7ns", "1d1s"] {
             assert_eq!(time_text(time_ns(text).unwrap()), text);
+            assert_eq!(time_text(-time_ns(text).unwrap()), format!("-{text}"));
         }
+        assert_eq!(ticks_text(-3, 30_000_000_000), "-1m30s");
     }
 
     #[test]

@@ -284,9 +284,7 @@ fn a_down_counter_starts_at_its_preset() {
 
 /// What no diagram of a single call shows: calls that share an instance, and members that a program
 /// assigns. Each expectation is worked out from the manuals by hand.
-#[test]
-fn programs_of_other_makers_blocks() {
-    let text = "ladder others
+const OTHERS: &str = "ladder others
         tick 5ms
         input a, b, c, d
         output y
@@ -363,7 +361,10 @@ fn programs_of_other_makers_blocks() {
             expect { units.ACC = 1 } units.EN
             d := 1  scan  scan
             expect !units.EN { units.ACC = 0 }";
-    let source = Source::new("others.ladder", text);
+
+#[test]
+fn programs_of_other_makers_blocks() {
+    let source = Source::new("others.ladder", OTHERS);
     let (program, findings) = hotrail::analyze(&source);
     let program = program.unwrap_or_else(|| panic!("{findings:?}"));
     for test in &program.tests {

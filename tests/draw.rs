@@ -13,7 +13,7 @@ use hotrail::draw::{
     Drawing, ElementId, Glyphs, NARROWEST, Options, Point, Power, Rung, Shape, Symbol,
 };
 use hotrail::eval::{Evaluator, Flow, Seen};
-use hotrail::model::{ArgumentValue, Element, Program, Role, Series};
+use hotrail::model::{Element, Program, Role, Series};
 use hotrail::source::Source;
 use unicode_width::UnicodeWidthStr;
 
@@ -224,11 +224,9 @@ impl Meant<'_> {
                 self.leaves(number, power)
             }
             Element::Call(call) => {
-                for argument in &call.arguments {
-                    if let ArgumentValue::Network(network) = &argument.value {
-                        let fed = self.series(network, true);
-                        self.powers[number].1 += usize::from(fed);
-                    }
+                for network in call.networks() {
+                    let fed = self.series(network, true);
+                    self.powers[number].1 += usize::from(fed);
                 }
                 self.leaves(number, power)
             }
@@ -326,11 +324,7 @@ fn count_model(series: &Series, count: &mut Count) {
                 net.connections.iter().for_each(|c| count_model(&c.network, count));
             }
             Element::Call(call) => {
-                for argument in &call.arguments {
-                    if let ArgumentValue::Network(network) = &argument.value {
-                        count_model(network, count);
-                    }
-                }
+                call.networks().for_each(|network| count_model(network, count));
             }
             _ => {}
         }

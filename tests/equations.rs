@@ -109,52 +109,61 @@ impl<'p> Machine<'p> {
         } else if map.contains_key("any") {
             list("any").into_iter().max().unwrap()
         } else if let Some(function) = map.get("function") {
-            let operands = list("operands");
-            let function = match function.as_str().unwrap() {
-                "NOT" => return ty().wrap(!operands[0]),
-                "WITH_BIT" => {
-                    let mask = 1 << operands[1];
-                    return ty().wrap((operands[0] & !mask) | (operands[2] * mask));
-                }
-                "ELEMENT" => {
-                    let at = usize::try_from(operands[0]).ok();
-                    return at.and_then(|at| operands.get(at + 1)).copied().unwrap_or(0);
-                }
-                name if name.starts_with("TO_") => return convert(ty(), operands[0]),
-                "SEL" => Function::Select,
-                "ABS" => Function::Abs,
-                "MIN" => Function::Min,
-                "MAX" => Function::Max,
-                "LIMIT" => Function::Limit,
-                "SHL" => Function::ShiftLeft,
-                "SHR" => Function::ShiftRight,
-                "ROL" => Function::RotateLeft,
-                "ROR" => Function::RotateRight,
-                other => panic!("{other}"),
-            };
-            function.apply(ty(), &operands)
+            apply(function.as_str().unwrap(), ty(), &list("operands"))
         } else {
             let [a, b] = list("operands")[..] else { panic!("an operator has two operands") };
-            let op = match map["operator"].as_str().unwrap() {
-                "=" => return (a == b).into(),
-                "<>" => return (a != b).into(),
-                "<" => return (a < b).into(),
-                "<=" => return (a <= b).into(),
-                ">" => return (a > b).into(),
-                ">=" => return (a >= b).into(),
-                "+" => BinaryOp::Add,
-                "-" => BinaryOp::Subtract,
-                "*" => BinaryOp::Multiply,
-                "/" => BinaryOp::Divide,
-                "MOD" => BinaryOp::Modulo,
-                "AND" => BinaryOp::And,
-                "OR" => BinaryOp::Or,
-                "XOR" => BinaryOp::Xor,
-                other => panic!("{other}"),
-            };
-            op.apply(ty(), a, b)
+            combine(map["operator"].as_str().unwrap(), ty(), a, b)
         }
     }
+}
+
+/// The value of a function, one of the language or of the document alone.
+fn apply(name: &str, ty: Type, operands: &[i64]) -> i64 {
+    let function = match name {
+        "NOT" => return ty.wrap(!operands[0]),
+        "WITH_BIT" => {
+            let mask = 1 << operands[1];
+            return ty.wrap((operands[0] & !mask) | (operands[2] * mask));
+        }
+        "ELEMENT" => {
+            let at = usize::try_from(operands[0]).ok();
+            return at.and_then(|at| operands.get(at + 1)).copied().unwrap_or(0);
+        }
+        name if name.starts_with("TO_") => return convert(ty, operands[0]),
+        "SEL" => Function::Select,
+        "ABS" => Function::Abs,
+        "MIN" => Function::Min,
+        "MAX" => Function::Max,
+        "LIMIT" => Function::Limit,
+        "SHL" => Function::ShiftLeft,
+        "SHR" => Function::ShiftRight,
+        "ROL" => Function::RotateLeft,
+        "ROR" => Function::RotateRight,
+        other => panic!("{other}"),
+    };
+    function.apply(ty, operands)
+}
+
+/// The value of an operator between two values.
+fn combine(symbol: &str, ty: Type, a: i64, b: i64) -> i64 {
+    let op = match symbol {
+        "=" => return (a == b).into(),
+        "<>" => return (a != b).into(),
+        "<" => return (a < b).into(),
+        "<=" => return (a <= b).into(),
+        ">" => return (a > b).into(),
+        ">=" => return (a >= b).into(),
+        "+" => BinaryOp::Add,
+        "-" => BinaryOp::Subtract,
+        "*" => BinaryOp::Multiply,
+        "/" => BinaryOp::Divide,
+        "MOD" => BinaryOp::Modulo,
+        "AND" => BinaryOp::And,
+        "OR" => BinaryOp::Or,
+        "XOR" => BinaryOp::Xor,
+        other => panic!("{other}"),
+    };
+    op.apply(ty, a, b)
 }
 
 /// Programs without blocks: what a block does is not in the document.

@@ -23,9 +23,9 @@ fn golden_files_are_what_is_built() {
     for example in examples() {
         let golden = example.folder.join("golden").display().to_string();
         let text = std::fs::read_to_string(&example.ladder).expect("it is there");
-        let emit = match common::lp::image(&text) {
-            Some(_) => format!("{},{}", common::GOLDEN, common::GOLDEN_ROM),
-            None => common::GOLDEN.to_owned(),
+        let emit = match common::emulated::compile(&text) {
+            Ok(_) => format!("{},{}", common::GOLDEN, common::GOLDEN_ROM),
+            Err(_) => common::GOLDEN.to_owned(),
         };
         let build = ["build", "--check", "--emit", &emit, "--out", &golden];
         let (same, difference) = hotrail(&build, &example.ladder);

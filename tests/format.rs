@@ -10,9 +10,8 @@ mod text;
 
 use std::path::PathBuf;
 use std::thread;
-use std::time::{Duration, Instant};
 
-use common::generate;
+use common::{amount, generate};
 use fastrand::Rng;
 use hotrail::diagnostic;
 use hotrail::source::Source;
@@ -51,15 +50,10 @@ fn format_once(text: &str) -> String {
     })
 }
 
-/// Number of random programs: `HOTRAIL_RANDOM_PROGRAMS`, else 1,000.
-fn amount() -> u64 {
-    std::env::var("HOTRAIL_RANDOM_PROGRAMS").ok().and_then(|n| n.parse().ok()).unwrap_or(1000)
-}
-
 #[test]
 fn random_programs_stay_what_they_are() {
     // The layout has fewer cases than the meaning.
-    for seed in 0..amount().min(5000) {
+    for seed in 0..amount("HOTRAIL_RANDOM_PROGRAMS", 1000).min(5000) {
         let mut random = Rng::with_seed(seed);
         let program = generate::program(seed) + &sprinkle::more_items(&mut random);
         let plain = format(&program);
@@ -128,7 +122,11 @@ macro_rules! case {
         #[test]
         fn $name() {
             let text = include_str!(concat!("format/", stringify!($name), ".ladder"));
-            insta::with_settings!({ snapshot_path => "format", prepend_module_to_snapshot => false, omit_expression => true }, {
+            insta::with_settings!({
+                snapshot_path => "format",
+                prepend_module_to_snapshot => false,
+                omit_expression => true,
+            }, {
                 insta::assert_snapshot!(stringify!($name), format(text));
             });
         }
@@ -184,12 +182,9 @@ fn brackets_of_expressions_stay_as_written() {
 }
 
 /// Formats on a stack of 2 MiB.
-fn format_in_time(text: String) -> String {
-    let start = Instant::now();
+fn format_on_a_small_stack(text: String) -> String {
     let run = thread::Builder::new().stack_size(2 << 20).spawn(move || format_once(&text));
-    let formatted = run.unwrap().join().expect("no overflow");
-    assert!(start.elapsed() < Duration::from_secs(10), "{:?}", start.elapsed());
-    formatted
+    run.unwrap().join().expect("no overflow")
 }
 
 #[test]
@@ -203,8 +198,8 @@ fn deep_programs_fit_the_stack() {
     ] {
         for depth in [200, syntax::MAX_NESTING] {
             let text = format!("{before}{}{middle}{}", open.repeat(depth), close.repeat(depth));
-            let formatted = format_in_time(text);
-            assert_eq!(format_in_time(formatted.clone()), formatted);
+            let formatted = format_on_a_small_stack(text);
+            assert_eq!(format_on_a_small_stack(formatted.clone()), formatted);
         }
     }
     for (open, middle, close) in
@@ -212,18 +207,19 @@ fn deep_programs_fit_the_stack() {
     {
         let depth = syntax::MAX_NESTING - 1;
         let nest = format!("{}{middle}{}", open.repeat(depth), close.repeat(depth));
-        let formatted = format_in_time(format!("var w : INT[4] rung {{{nest}}}"));
-        assert_eq!(format_in_time(formatted.clone()), formatted);
+        let formatted = format_on_a_small_stack(format!("var w : INT[4] rung {{{nest}}}"));
+        assert_eq!(format_on_a_small_stack(formatted.clone()), formatted);
     }
 }
 
+/// What takes more time than the text is long would keep this from ending.
 #[test]
-fn time_grows_with_the_text_only() {
+fn long_texts_are_formatted() {
     for unit in ["rung a [ b /* c */ | !c d ] { n := n + 1 } ( y ) /* e */ ", "// c\n", "/* c */ "]
     {
-        format_in_time(unit.repeat(2_000_000 / unit.len()));
+        format_on_a_small_stack(unit.repeat(2_000_000 / unit.len()));
     }
-    format_in_time(format!("rung {}", "a [ b | /* m\nm */ c ] ".repeat(50_000)));
-    format_in_time(format!("test \"t\" {}", "a := 1 scan ".repeat(50_000)));
-    format_in_time(format!("input a {}", ", /* c */ b // d\n".repeat(50_000)));
+    format_on_a_small_stack(format!("rung {}", "a [ b | /* m\nm */ c ] ".repeat(50_000)));
+    format_on_a_small_stack(format!("test \"t\" {}", "a := 1 scan ".repeat(50_000)));
+    format_on_a_small_stack(format!("input a {}", ", /* c */ b // d\n".repeat(50_000)));
 }

@@ -1,5 +1,6 @@
-//! Damaged programs, images and stimuli: whatever a file holds, reading it ends with a result or with
-//! findings. `PROPTEST_CASES` says how many of each; `fuzz/README.md` tells of the long run.
+//! Damaged programs, images and stimuli, and random words: whatever a file holds, reading it ends
+//! with a result or with findings. `PROPTEST_CASES` says how many of each; `fuzz/README.md` tells
+//! of the long run.
 
 mod common;
 
@@ -48,48 +49,23 @@ enum Damage {
     Graft(Index, Index, usize, Index),
     /// Another byte.
     Byte(Index, u8),
-    /// Something that readers may stumble over.
+    /// One of [`WORDS`].
     Word(Index, &'static str),
 }
 
+/// Words of the language, and what readers may stumble over.
+#[rustfmt::skip]
 const WORDS: &[&str] = &[
-    "[",
-    "]",
-    "(",
-    ")",
-    "{",
-    "}",
-    "|",
-    "`",
-    "\"",
-    "/*",
-    "*/",
-    "//",
-    "not",
-    "rung",
-    "\n",
-    "\r",
-    "\0",
-    "\u{feff}",
-    "\u{202e}",
-    "é",
-    "99999999999999999999",
-    "-1",
-    "16#FFFFFFFF",
-    "1s",
-    "TRUE",
-    ".",
-    ",",
-    ":=",
-    "{ ",
-    "rise(",
-    "net {",
-    "left -> right :",
-    "repeat 3 {",
-    "w[",
-    "].5",
-    "/ 0",
-    "MOD 0",
+    "[", "]", "(", ")", "{", "}", "|", "`", "\"", "/*", "*/", "//", "not", "rung", "\n", "\r", "\0",
+    "\u{feff}", "\u{202e}", "é", "99999999999999999999", "-1", "16#FFFFFFFF", "1s", "TRUE", ".",
+    ",", ":=", "{ ", "rise(", "net {", "left -> right :", "repeat 3 {", "w[", "].5", "/ 0", "MOD 0",
+    "ladder", "demo", "input", "output", "var", "const", "tick", "clock", "1ms", "a", "b", "y", "n",
+    ": INT", ": TIME", ":= 5", ":= 1s", ":= a", "test", "\"t\"", "(y)", "(S y)", "{ n := n + 1 }",
+    "{ n > 3 }", "t:TON(PT := 1s)", "c:CTU(R := a, PV := 3)", "t.Q", "c.CV", "(R t)", "rise(a)",
+    "rising", "first_scan", "!", "/", "expect", "scan", "scan 3", "wait 1s", "pulse a",
+    "repeat 2 {", "reset", "a := 1", "net", "->", "<->", ":", "\u{1}", "\u{2}", "``", "-", "AND",
+    "NOT", "=", "n.5", "n[1]", "w", "TON", "rise", "S", "5", "0", "5s", "+", "<", "..", "`x`",
+    "repeat", "var w : INT[2]", "at",
 ];
 
 fn damage() -> impl Strategy<Value = Damage> {
@@ -170,5 +146,26 @@ proptest! {
     ) {
         targets::stimulus(&String::from_utf8_lossy(&bytes));
         targets::stimulus(&String::from_utf8_lossy(&lines));
+    }
+}
+
+proptest! {
+    // Most of these are read in no time.
+    #![proptest_config(ProptestConfig {
+        failure_persistence: None,
+        cases: ProptestConfig::default().cases * 10,
+        ..ProptestConfig::default()
+    })]
+
+    #[test]
+    fn any_words_are_read_to_their_end(
+        words in prop::collection::vec((prop::sample::select(WORDS), any::<bool>()), 0..60),
+        noise in prop::collection::vec(any::<u8>(), 0..200),
+    ) {
+        let spaced = words.iter().map(|(word, blank)| word.to_string() + if *blank { " " } else { "" });
+        let text: String = spaced.collect();
+        targets::program(&text);
+        targets::program(&format!("ladder demo input a output y var n : DINT {text}"));
+        targets::program(&String::from_utf8_lossy(&noise));
     }
 }

@@ -240,3 +240,26 @@ fn at_the_rail_a_not_or_a_one_shot_acts_on_nothing() {
         assert_eq!(demo(&format!("output z{w}\n{rung}")), place, "{rung}");
     }
 }
+
+#[test]
+fn a_divisor_that_is_always_0_is_told_once() {
+    let divide = |expression: &str| {
+        demo(&format!(
+            "input n : INT\noutput q : INT\noutput t : TIME\nrung {{ q := n }} {expression}"
+        ))
+    };
+    for (bad, place) in [
+        ("{ q := n / 0 }", "0"),
+        ("{ q := 7 / 0 }", "0"),
+        ("{ q := 7 MOD (3 - 3) }", "(3 - 3)"),
+        ("{ t := 3s / 0 }", "0"),
+        ("{ n / 0 = 0 } ( y )", "0"),
+    ] {
+        assert!(divide(bad).contains(&format!("W0202 {place}")), "{bad}: {}", divide(bad));
+        assert_eq!(divide(bad).matches("W0202").count(), 1, "{bad}");
+    }
+    assert!(demo("const NONE := 4 / 0\noutput q : INT\nrung { q := NONE }").contains("W0202 0"));
+    for good in ["{ q := 0 / 4 }", "{ q := n / 8 + 0 }", "{ q := n / 1 * 0 }", "{ t := 0s / 4 }"] {
+        assert_eq!(divide(good).matches("W0202").count(), 0, "{good}");
+    }
+}

@@ -13,7 +13,7 @@ use common::folder::Folder;
 use common::generate;
 use fastrand::Rng;
 use hotrail::draw::Glyphs;
-use hotrail::eval::{Evaluator, Stimulus};
+use hotrail::eval::{Evaluator, Machine, Stimulus};
 use hotrail::live::{Key, LEAST_COLUMNS, LEAST_ROWS, Live, Options, Session};
 use hotrail::model::Program;
 use hotrail::source::Source;
@@ -242,42 +242,44 @@ fn it_is_over_when_somebody_leaves() {
     }
 }
 
+/// What hands may press.
+const HANDS: &[&str] = &[
+    "s",
+    "S",
+    "b",
+    " ",
+    "<",
+    ">",
+    "1",
+    "2",
+    "3",
+    "9",
+    "p",
+    "+",
+    "-",
+    "f",
+    "<up>",
+    "<down>",
+    "<tab>",
+    "<enter>",
+    "<enter>-3<enter>",
+    "<enter>16#F<enter><escape>",
+    "<pageup>",
+    "<pagedown>",
+    "<home>",
+    "<end>",
+    "?",
+    "g",
+    "g2<enter>",
+    "<escape>",
+    "é",
+    "<backspace>",
+];
+
 /// Any keys at any time on any screen: nothing panics, and what was written down leads to the
 /// same state wherever it runs.
 #[test]
 fn what_hands_did_can_be_run_again() {
-    const KEYS: &[&str] = &[
-        "s",
-        "S",
-        "b",
-        " ",
-        "<",
-        ">",
-        "1",
-        "2",
-        "3",
-        "9",
-        "p",
-        "+",
-        "-",
-        "f",
-        "<up>",
-        "<down>",
-        "<tab>",
-        "<enter>",
-        "<enter>-3<enter>",
-        "<enter>16#F<enter><escape>",
-        "<pageup>",
-        "<pagedown>",
-        "<home>",
-        "<end>",
-        "?",
-        "g",
-        "g2<enter>",
-        "<escape>",
-        "é",
-        "<backspace>",
-    ];
     for seed in 0..60 {
         let mut random = Rng::with_seed(seed);
         let (source, program) = program(&generate::program(seed));
@@ -292,7 +294,7 @@ fn what_hands_did_can_be_run_again() {
                 }
                 1 => live.elapse(random.u64(..20 * program.tick_ns)),
                 2 | 3 => live.run_due(random.usize(..20)),
-                _ => press(&mut live, KEYS[random.usize(..KEYS.len())]),
+                _ => press(&mut live, HANDS[random.usize(..HANDS.len())]),
             }
             screen(&live, size);
         }
@@ -305,7 +307,7 @@ fn what_hands_did_can_be_run_again() {
         let mut evaluator = Evaluator::new(&program);
         for scan in 0..again.len() {
             let row = again.row(scan);
-            row.drives.iter().for_each(|&(input, value)| evaluator.drive(input, value));
+            evaluator.drive_row(row);
             evaluator.scan(row.tick);
         }
         for (id, variable) in program.named_variables() {

@@ -2,8 +2,8 @@
 
 mod common;
 
-use common::emulated::compile;
-use common::{amount, checks, trees};
+use common::emulated::{self, compile};
+use common::{amount, checks, lp, relay, trees};
 use fastrand::Rng;
 use hotrail::backend::processor::{
     self, Bridge, Contact, Machine, Operation, Tree, Word, decode, encode,
@@ -131,7 +131,7 @@ fn deep_nesting_is_ordered_or_cut() {
                 tree = Tree::parallel(branches);
             }
             assert_eq!(trees::difference(&tree, &mut random), None, "{tree:?}");
-            let fitted = processor::fit(&tree, || 600);
+            let fitted = processor::fit(&tree, 4, || 600);
             assert!(fitted.before.len() <= flags, "{height}: {}", fitted.before.len());
         }
     }
@@ -144,7 +144,7 @@ fn the_words_of_a_tree_tell_the_tree() {
     for _ in 0..5000 {
         let depth = random.u32(1..6);
         let tree = trees::random_tree(&mut random, depth, false);
-        let fitted = processor::fit(&tree, || 600);
+        let fitted = processor::fit(&tree, 4, || 600);
         if !fitted.before.is_empty() {
             continue;
         }
@@ -162,6 +162,21 @@ fn the_words_of_a_tree_tell_the_tree() {
 fn random_programs() {
     let tally = checks::PROCESSOR.hold(amount("HOTRAIL_RANDOM_PROGRAMS", 1000));
     assert!(tally.skipped * 4 < tally.programs, "{} do not fit", tally.skipped);
+}
+
+/// With fewer registers words have other places, with shallow stacks lists go into flags.
+#[test]
+fn random_programs_on_the_smallest_machines() {
+    let mut ran = 0;
+    for seed in 0..amount("HOTRAIL_RANDOM_PROGRAMS", 1000) / 10 {
+        let depth = [2, 3, 4, 6][seed as usize % 4];
+        let Some((program, image)) = lp::smallest(&relay::program(seed), depth) else { continue };
+        assert!(image.rom.needs().stack_depth <= depth);
+        let wrong = emulated::difference(&program, &image, 40, Rng::with_seed(seed));
+        assert_eq!(wrong, None, "seed {seed}, stacks of {depth}");
+        ran += 1;
+    }
+    assert!(ran > 50, "{ran}");
 }
 
 /// The function paper's example: three registers, 0 enters at the low end.
@@ -187,4 +202,19 @@ fn a_shift_over_three_registers_goes_as_the_paper_prints_it() {
         machine.drive(0, false);
         machine.scan(false);
     }
+}
+
+/// A bit of a word is written through power, on its own, with constants, and read above and below.
+#[test]
+fn bits_of_words_are_assigned() {
+    let text = "ladder bits input a, b, c output x, y, z var w : WORD := 16#0008 var n : INT[2]
+        rung { w.3 := a }
+        rung b { w.15 := TRUE } ( x )
+        rung c { w.15 := FALSE } w.15 ( y )
+        rung w.3 { w.3 := NOT w.3 } { n[1].0 := w.15 XOR a } ( z )
+        rung [ a | b w.3 ] { w.0 := a AND NOT (b OR w.0) } [ { w.1 := w.0 } | !w.1 ] { n[0].15 := c } (S z)
+        rung { w.7 := TRUE } { w.3 := w.7 = a }";
+    let (program, image) = compile(text).unwrap_or_else(|findings| panic!("{findings}"));
+    let wrong = emulated::difference(&program, &image, 2000, Rng::with_seed(1));
+    assert_eq!(wrong, None);
 }

@@ -1,5 +1,6 @@
 //! The tables of examples in docs/processor.md: which of them the ladder processor can do, with its
-//! clocks for a scan, and what keeps the others from it. The tests of those that it can do pass there.
+//! clocks for a scan, and what keeps the others from it. The tests of those that it can do pass
+//! there.
 
 mod common;
 

@@ -29,13 +29,14 @@ fn every_form_comes_back() {
         let (program, _) = hotrail::analyze(&Source::new("test.ladder", relay::program(seed)));
         let Ok(image) = processor::compile(&program.unwrap()) else { continue };
         let comments = [processor::parameters(&image.rom)];
+        let sizes = processor::sizes(&comments[0]);
         for form in Form::ALL {
             let read = Part::ALL.map(|part| {
                 let bytes = image.rom.memory(part).write(form, &comments);
-                part.read(form, &bytes).unwrap_or_else(|wrong| panic!("{form:?}: {wrong:?}"))
+                part.read(form, &bytes, sizes).unwrap_or_else(|wrong| panic!("{form:?}: {wrong:?}"))
             });
             let [code, registers, bits] = &read;
-            let back = Rom::of_memories(code, registers, bits, &comments[0]);
+            let back = Rom::of_memories(code, registers, bits, sizes, &comments[0]);
             assert_eq!(back, image.rom, "{form:?}, seed {seed}");
         }
     }
@@ -204,6 +205,53 @@ fn a_build_replaces_its_own_images_in_every_form_and_no_others() {
     fs::remove_file(path.join("out/pump_bin.txt")).unwrap();
     let (code, text) = build(second, "bin");
     assert!(code != 0 && text.contains("was not made by hotrail"), "{text}");
+}
+
+/// A bit, a register and the constant 1 stand in other places of the files.
+#[test]
+fn an_image_for_a_small_machine_comes_back() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path();
+    let ladder = "ladder small input a output y var kept := 1 var word : WORD := 16#8001
+        rung a n:UC(PV := 2, EN := a) [ kept | word.15 ] ( y )";
+    fs::write(path.join("small.ladder"), ladder).unwrap();
+    let build = |sizes: &str| {
+        let emit = "rom,bin,listing";
+        let options = ["build", "small.ladder", "-o", "out", "--emit", emit, "--processor", sizes];
+        hotrail(path, &options)
+    };
+    let sizes = "CODE_WORDS=16,IMAGE_BITS=16,REGISTERS=8,STACK_DEPTH=2";
+    assert_eq!(build(sizes), (0, String::new()));
+    let file = |name: &str| fs::read_to_string(path.join("out").join(name)).unwrap();
+    let head = "INPUTS 1, OUTPUTS 1, TICK_NS 1000000, CODE_WORDS 16, IMAGE_BITS 16, REGISTERS 8, \
+        STACK_DEPTH 2\n";
+    let contents = |name: &str| file(name).split_once(head).expect("the sizes").1.to_owned();
+    // `kept` is flag 512; the preset is register 0, the word register 1024.
+    assert_eq!(contents("small_image.hex"), "@008\n1\n@00F\n1\n");
+    assert_eq!(contents("small_regs.hex"), "@000\n0002\n@004\n8001\n");
+    let listing = file("small.lst");
+    assert!(
+        listing.contains(
+            "\nat least CODE_WORDS 15, IMAGE_BITS 8, REGISTERS 8, STACK_DEPTH 2, BITS, COUNTERS\n"
+        ),
+        "{listing}"
+    );
+    let (code, shown) = hotrail(path, &["rom", "out/small.hex"]);
+    assert!(
+        code == 0 && shown.contains(" 1024  32769\n") && shown.contains("  512  flag"),
+        "{shown}"
+    );
+    assert_eq!(hotrail(path, &["rom", "out/small.bin", "--processor", sizes]).1, shown);
+    for (sizes, told) in [
+        ("CODE_WORDS=14", "the program needs 15 words, the ladder processor has 14"),
+        ("CODE_WORDS=14", "give the processor more with --processor"),
+        ("IMAGE_BITS=4", "IMAGE_BITS is 8 to 1024"),
+        ("REGISTERS=2048", "REGISTERS is 8 to 2047"),
+        ("WORDS=13", "none of the sizes CODE_WORDS, IMAGE_BITS, REGISTERS, STACK_DEPTH"),
+    ] {
+        let (code, text) = build(sizes);
+        assert!(code != 0 && text.contains(told), "{sizes}: {text}");
+    }
 }
 
 #[test]

@@ -6,8 +6,10 @@ mod common;
 use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
-use common::lp::{self, REGISTERS, Row, image};
+use common::emulated::compile;
+use common::lp::{self, Row};
 use common::{amount, relay, require_tool, run};
 use fastrand::Rng;
 use hotrail::backend::processor::Image;
@@ -38,6 +40,8 @@ fn verilator_has_nothing_to_say() {
         &["-GTIMERS=0", "-GSHIFTS=0", "-GTICKS_PER_TENTH=0", "-GSTACK_DEPTH=2"],
         &["-GINPUTS=0", "-GOUTPUTS=0"],
         &["-GINPUTS=256", "-GOUTPUTS=1"],
+        &["-GCODE_WORDS=33", "-GIMAGE_BITS=64", "-GREGISTERS=300", "-GSTACK_DEPTH=16"],
+        &["-GCODE_WORDS=2", "-GIMAGE_BITS=8", "-GREGISTERS=8", "-GINPUTS=2", "-GOUTPUTS=0"],
     ] {
         let lint = ["--lint-only", "-Wall", "--top-module", "ladder_processor"];
         run(Path::new("."), "verilator", &[&lint[..], parameters, &names(&files)].concat());
@@ -50,6 +54,10 @@ fn bench(image: &Image, rows: &[Row]) -> String {
     let rom = &image.rom;
     let bits = |count: u16| count.max(1) - 1;
     let [tenth, second] = lp::ticks(image);
+    let sizes: String =
+        rom.sizes.named().iter().map(|(name, size)| format!(".{name}({size}), ")).collect();
+    let (held, registers) = lp::held(rom.sizes);
+    let (last, first) = (rom.sizes.image_bits.next_power_of_two(), held.len());
     let mut text = format!(
         "module bench;
   reg clk = 0, rst = 1, tick = 0, halt = 1, RM_rw = 0;
@@ -60,7 +68,7 @@ fn bench(image: &Image, rows: &[Row]) -> String {
   wire idle, scan_done;
   integer clocks = 0, i;
   ladder_processor #(
-    .INPUTS({}), .OUTPUTS({}), .TICKS_PER_TENTH({tenth}), .TICKS_PER_SECOND({second}),
+    .INPUTS({}), .OUTPUTS({}), {sizes}.TICKS_PER_TENTH({tenth}), .TICKS_PER_SECOND({second}),
     .CODE_FILE(\"test.hex\"), .REGISTER_FILE(\"test_regs.hex\"), .IMAGE_FILE(\"test_image.hex\")
   ) dut (
     .clk(clk), .rst(rst), .tick(tick), .inputs(inputs), .outputs(outputs), .halt(halt),
@@ -79,8 +87,8 @@ fn bench(image: &Image, rows: &[Row]) -> String {
       while (!scan_done) @(negedge clk);
       @(negedge clk);
       $write(\"%0d %b \", clocks, outputs);
-      for (i = 256; i < 1024; i = i + 1) $write(\"%b\", dut.image.bits.words[i]);
-      for (i = 0; i < {REGISTERS}; i = i + 1) $write(\" %0h\", dut.functions.register_array.registers.words[i]);
+      for (i = {last} - {first}; i < {last}; i = i + 1) $write(\"%b\", dut.image.bits.words[i]);
+      for (i = 0; i < {}; i = i + 1) $write(\" %0h\", dut.functions.register_array.registers.words[i]);
       $write(\"\\n\");
     end
   endtask
@@ -94,6 +102,7 @@ fn bench(image: &Image, rows: &[Row]) -> String {
         rom.pins.inputs,
         rom.pins.outputs,
         bits(rom.pins.inputs),
+        registers.len(),
     );
     for row in rows {
         for (register, word) in &row.written {
@@ -122,9 +131,8 @@ fn random_programs_run_in_lock_step() {
     if !require_tool("iverilog") {
         return;
     }
-    for seed in 0..amount("HOTRAIL_RANDOM_IMAGES", 8) {
-        let Some((program, image)) = image(&relay::program(seed)) else { continue };
-        compare(&format!("seed {seed}"), &program, &image, 40, Rng::with_seed(seed));
+    for (name, program, image, random) in lp::random_programs(amount("HOTRAIL_RANDOM_IMAGES", 8)) {
+        compare(&name, &program, &image, 40, random);
     }
 }
 
@@ -133,14 +141,9 @@ fn examples_that_the_processor_can_do_run_in_lock_step() {
     if !require_tool("iverilog") {
         return;
     }
-    let mut ran = 0;
-    for example in common::examples() {
-        let text = fs::read_to_string(&example.ladder).unwrap();
-        let Some((program, image)) = image(&text) else { continue };
-        compare(&example.name(), &program, &image, 60, Rng::with_seed(1));
-        ran += 1;
+    for (name, program, image, random) in lp::examples() {
+        compare(&name, &program, &image, 60, random);
     }
-    assert!(ran > 5, "{ran} examples");
 }
 
 #[test]
@@ -152,6 +155,90 @@ fn the_longest_shifts_run_in_lock_step() {
         var up, down : WORD[32]
         rung step a:SHL(REG := up, EN := [ enable | !data ], DATA := data) ( last )
         rung step b:SHR(REG := down, EN := [ enable | !data ], DATA := data) ( first )";
-    let (program, image) = image(text).unwrap();
+    let (program, image) = compile(text).unwrap();
     compare("shifts", &program, &image, 200, Rng::with_seed(1));
+}
+
+/// Deep lists with words, timers, counters and drums around them.
+const DEEP: &str = "ladder deep tick 100ms input a, b, c, d output y, z at 260
+    var kept : WORD := 5 var words : WORD[3] := [1, 2, 3]
+    rung [ a [ b [ c [ d a | !b ] | !c b ] | d ] | [ [ [ !d b | c ] !a | d ] c | b ] d ] (y)
+    rung a t:TT(PV := 3, EN := b, MODE := ON) (z)
+    rung b n:UC(PV := 2, EN := !c) (kept.3)
+    rung c s:DRUM(PV := 4, EN := d, TAPS := [1, 2]) kept.2 (y)
+    rung d l:SHL(REG := words, DATA := a) (S z)";
+
+#[test]
+fn machines_of_other_sizes_run_in_lock_step() {
+    if !require_tool("iverilog") {
+        return;
+    }
+    for stack_depth in [2, 3, 7] {
+        let (program, image) = lp::smallest(DEEP, stack_depth).unwrap();
+        compare(&format!("stacks of {stack_depth}"), &program, &image, 100, Rng::with_seed(1));
+    }
+    for seed in 0..amount("HOTRAIL_RANDOM_IMAGES", 8) {
+        let depth = [2, 3, 4, 5][seed as usize % 4];
+        let Some((program, image)) = lp::smallest(&relay::program(seed), depth) else { continue };
+        compare(&format!("seed {seed}"), &program, &image, 40, Rng::with_seed(seed));
+    }
+}
+
+/// The names of modules that do not exist stand for what is wrong.
+#[test]
+fn sizes_that_cannot_be_built_stop_elaboration() {
+    if !require_tool("iverilog") {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let elaborate = |sizes: &[&str]| {
+        let parameters = sizes.iter().map(|size| format!("-Pladder_processor.{size}"));
+        let mut icarus = Command::new("iverilog");
+        icarus.args(["-g2005", "-o", "a", "-s", "ladder_processor"]).args(parameters);
+        let output = icarus.args(modules()).current_dir(folder.path()).output().unwrap();
+        String::from_utf8_lossy(&output.stderr).into_owned()
+    };
+    for (size, told) in [
+        ("CODE_WORDS=1", "CODE_WORDS_is_2_to_1024"),
+        ("CODE_WORDS=1025", "CODE_WORDS_is_2_to_1024"),
+        ("IMAGE_BITS=7", "IMAGE_BITS_is_8_to_1024"),
+        ("IMAGE_BITS=1025", "IMAGE_BITS_is_8_to_1024"),
+        ("REGISTERS=7", "REGISTERS_is_8_to_2047"),
+        ("REGISTERS=2048", "REGISTERS_is_8_to_2047"),
+        ("STACK_DEPTH=1", "STACK_DEPTH_is_2_or_more"),
+        ("IMAGE_BITS=32", "INPUTS_is_0_to_a_quarter_of_IMAGE_BITS"),
+        ("OUTPUTS=257", "OUTPUTS_is_0_to_a_quarter_of_IMAGE_BITS"),
+    ] {
+        let errors = elaborate(&[size]);
+        assert!(errors.contains(told), "{size}: {errors}");
+    }
+    let least = ["CODE_WORDS=2", "IMAGE_BITS=8", "REGISTERS=8", "STACK_DEPTH=2"];
+    assert_eq!(elaborate(&[&least[..], &["INPUTS=2", "OUTPUTS=2"]].concat()), "");
+    let most = ["CODE_WORDS=1024", "IMAGE_BITS=1024", "REGISTERS=2047", "STACK_DEPTH=16"];
+    assert_eq!(elaborate(&[&most[..], &["INPUTS=256", "OUTPUTS=256"]].concat()), "");
+}
+
+/// How many blocks of RAM an iCE40 takes, all memories being that.
+#[test]
+fn memories_are_block_ram_of_their_size() {
+    if !require_tool("yosys") {
+        return;
+    }
+    for (sizes, blocks) in [
+        (&[][..], 4 + 2 + 16 + 1),
+        (&[("CODE_WORDS", 256), ("IMAGE_BITS", 256), ("REGISTERS", 256)], 1 + 2 + 2 + 1),
+        (&[("CODE_WORDS", 300), ("REGISTERS", 512)], 2 + 2 + 4 + 1),
+    ] {
+        let set: String = sizes.iter().map(|(name, size)| format!(" -set {name} {size}")).collect();
+        let set = match set.as_str() {
+            "" => String::new(),
+            set => format!("chparam{set} ladder_processor;"),
+        };
+        let script = format!(
+            "read_verilog {}; {set} synth_ice40 -top ladder_processor -run begin:map_gates;
+             select -assert-count {blocks} t:SB_RAM40_4K*; select -assert-none t:$mem*",
+            names(&modules()).join(" ")
+        );
+        run(Path::new("."), "yosys", &["-q", "-p", &script]);
+    }
 }

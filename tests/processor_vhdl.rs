@@ -7,7 +7,7 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
-use common::lp::{self, REGISTERS, Row, image};
+use common::lp::{self, Row};
 use common::{amount, proof, relay, require_tool, run};
 use fastrand::Rng;
 use hotrail::backend::processor::Image;
@@ -75,9 +75,15 @@ fn both_editions_are_proved_equal() {
     let without = ["TIMERS", "COUNTERS", "DRUMS", "SHIFTS", "BITS"].map(|name| (name, name, 0));
     let pins =
         |inputs, outputs| [("INPUTS", "INPUT_PINS", inputs), ("OUTPUTS", "OUTPUT_PINS", outputs)];
+    let sizes = |words, bits, registers| {
+        let sizes = [("CODE_WORDS", words), ("IMAGE_BITS", bits), ("REGISTERS", registers)];
+        sizes.map(|(name, size)| (name, name, size))
+    };
     for parameters in [
         [&pins(3, 5)[..], &[("STACK_DEPTH", "STACK_DEPTH", 2)]].concat(),
         [&pins(0, 0)[..], &without].concat(),
+        [&pins(2, 4)[..], &sizes(33, 16, 8), &[("STACK_DEPTH", "STACK_DEPTH", 7)]].concat(),
+        [&pins(64, 1)[..], &sizes(1000, 256, 600)].concat(),
     ] {
         assert!(equal(&parameters, |_, text| text), "{parameters:?}");
     }
@@ -99,18 +105,24 @@ fn a_proof_fails_where_the_editions_differ() {
     assert!(!equal(&[], alter), "{file}: {new}");
 }
 
-/// Drives the processor and prints what [`lp::meant`] describes; image and registers are read by the
-/// host.
+/// Drives the processor and prints what [`lp::meant`] describes; image and registers are read by
+/// the host.
 fn bench(image: &Image, rows: &[Row]) -> String {
     let pins = image.rom.pins;
     let [tenth, second] = lp::ticks(image);
     let [inputs, outputs] = [pins.inputs, pins.outputs].map(|count| count.max(1) - 1);
+    let sizes: String =
+        image.rom.sizes.named().iter().map(|(name, size)| format!("{name} => {size}, ")).collect();
+    let addresses = |held: Vec<u16>| held.iter().map(u16::to_string).collect::<Vec<_>>().join(", ");
+    let (bits, registers) = lp::held(image.rom.sizes);
     let mut text = BENCH
+        .replace("SIZES", &sizes)
+        .replace("BITS_HELD", &addresses(bits))
+        .replace("REGISTERS_HELD", &addresses(registers))
         .replace("INPUT_LEFT", &inputs.to_string())
         .replace("OUTPUT_LEFT", &outputs.to_string())
         .replace("INPUT_COUNT", &pins.inputs.to_string())
         .replace("OUTPUT_COUNT", &pins.outputs.to_string())
-        .replace("LAST_REGISTER", &(REGISTERS - 1).to_string())
         .replace("EACH_TENTH", &tenth.to_string())
         .replace("EACH_SECOND", &second.to_string());
     for row in rows {
@@ -140,10 +152,13 @@ architecture test of bench is
   signal RM_out    : std_logic_vector(15 downto 0);
   signal edges     : natural := 0;
   signal ends      : boolean := false;
+  type addresses is array (natural range <>) of natural;
+  constant BITS      : addresses := (BITS_HELD);
+  constant REGISTERS : addresses := (REGISTERS_HELD);
 begin
   dut : entity work.ladder_processor
     generic map (
-      INPUT_PINS => INPUT_COUNT, OUTPUT_PINS => OUTPUT_COUNT,
+      INPUT_PINS => INPUT_COUNT, OUTPUT_PINS => OUTPUT_COUNT, SIZES
       TICKS_PER_TENTH => EACH_TENTH, TICKS_PER_SECOND => EACH_SECOND,
       CODE_FILE => "test.hex", REGISTER_FILE => "test_regs.hex", IMAGE_FILE => "test_image.hex"
     )
@@ -232,13 +247,13 @@ begin
       write(row, character'(' '));
       pins;
       write(row, character'(' '));
-      for place in 256 to 1023 loop
-        io_addr <= std_logic_vector(to_unsigned(place, 10));
+      for place in BITS'range loop
+        io_addr <= std_logic_vector(to_unsigned(BITS(place), 10));
         wait until falling_edge(clk);
         digit(io_out);
       end loop;
-      for place in 0 to LAST_REGISTER loop
-        RM_addr <= std_logic_vector(to_unsigned(place, 11));
+      for place in REGISTERS'range loop
+        RM_addr <= std_logic_vector(to_unsigned(REGISTERS(place), 11));
         wait until falling_edge(clk);
         hexadecimal(RM_out);
       end loop;
@@ -276,8 +291,20 @@ fn random_programs_run_in_lock_step() {
     if !require_tool("ghdl") {
         return;
     }
-    for seed in 0..amount("HOTRAIL_RANDOM_IMAGES", 8) / 4 {
-        let Some((program, image)) = image(&relay::program(seed)) else { continue };
+    for (name, program, image, random) in
+        lp::random_programs(amount("HOTRAIL_RANDOM_IMAGES", 8) / 4)
+    {
+        compare(&name, &program, &image, 40, random);
+    }
+}
+
+#[test]
+fn machines_of_other_sizes_run_in_lock_step() {
+    if !require_tool("ghdl") {
+        return;
+    }
+    for (seed, depth) in [(0, 2), (1, 6), (2, 3), (3, 5)] {
+        let Some((program, image)) = lp::smallest(&relay::program(seed), depth) else { continue };
         compare(&format!("seed {seed}"), &program, &image, 40, Rng::with_seed(seed));
     }
 }
@@ -287,12 +314,7 @@ fn examples_that_the_processor_can_do_run_in_lock_step() {
     if !require_tool("ghdl") {
         return;
     }
-    let mut ran = 0;
-    for example in common::examples() {
-        let text = fs::read_to_string(&example.ladder).unwrap();
-        let Some((program, image)) = image(&text) else { continue };
-        compare(&example.name(), &program, &image, 30, Rng::with_seed(1));
-        ran += 1;
+    for (name, program, image, random) in lp::examples() {
+        compare(&name, &program, &image, 30, random);
     }
-    assert!(ran > 5, "{ran} examples");
 }

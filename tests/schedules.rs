@@ -3,8 +3,6 @@
 
 mod common;
 
-use std::path::Path;
-
 use common::scheduled::differences;
 use common::{amount, analyze, checks};
 use hotrail::backend::hdl;
@@ -18,12 +16,7 @@ fn random_programs() {
 
 #[test]
 fn kept_programs() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/lockstep");
-    for entry in std::fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
-        let name = path.display().to_string();
-        let text = std::fs::read_to_string(&path).unwrap();
-        let program = analyze(&name, &text).unwrap_or_else(|findings| panic!("{findings}"));
+    for (name, program) in common::kept_programs() {
         for seed in 0..5 {
             assert_eq!(differences(&program, 100, seed), None, "{name}, inputs {seed}");
         }
@@ -32,10 +25,7 @@ fn kept_programs() {
 
 #[test]
 fn examples() {
-    for example in common::examples() {
-        let name = example.ladder.display().to_string();
-        let text = std::fs::read_to_string(&example.ladder).unwrap();
-        let program = analyze(&name, &text).unwrap_or_else(|findings| panic!("{findings}"));
+    for (name, program) in common::example_programs() {
         for seed in 0..5 {
             assert_eq!(differences(&program, 400, seed), None, "{name}, inputs {seed}");
         }

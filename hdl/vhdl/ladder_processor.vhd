@@ -10,8 +10,13 @@ use work.lp.all;
 
 entity ladder_processor is
   generic (
-    INPUT_PINS       : natural := 16;   -- bits 0.. of the image, up to 256
-    OUTPUT_PINS      : natural := 16;   -- bits 256.. of the image, up to 256
+    INPUT_PINS       : natural := 16;   -- bits 0.. of the image, up to a quarter of it
+    OUTPUT_PINS      : natural := 16;   -- bits 256.. of the image, up to a quarter of it
+    -- Memories grow to the next power of two. Of the image a quarter is inputs, a quarter outputs,
+    -- half flags; of the registers a quarter begins at 0, a quarter at 512, half at 1024.
+    CODE_WORDS       : positive range 2 to 1024 := 1024;
+    IMAGE_BITS       : positive range 8 to 1024 := 1024;
+    REGISTERS        : positive range 8 to 2047 := 2047;
     TIMERS           : natural := 1;    -- 0: left out; all five: no registers either
     COUNTERS         : natural := 1;
     DRUMS            : natural := 1;
@@ -19,7 +24,7 @@ entity ladder_processor is
     BITS             : natural := 1;    -- bit set and bit clear
     TICKS_PER_TENTH  : natural := 100;  -- ticks in a tenth of a second; 0: no timers of tenths
     TICKS_PER_SECOND : natural := 1000;
-    STACK_DEPTH      : positive := 4;   -- bits of each stack
+    STACK_DEPTH      : positive range 2 to positive'high := 4;      -- bits of each stack
     CODE_FILE        : string := "";    -- NAME.hex
     REGISTER_FILE    : string := "";    -- NAME_regs.hex
     IMAGE_FILE       : string := ""     -- NAME_image.hex
@@ -52,6 +57,9 @@ end entity;
 architecture rtl of ladder_processor is
   constant HAS_FUNCTIONS : boolean := TIMERS + COUNTERS + DRUMS + SHIFTS + BITS /= 0;
 
+  constant CODE_ADDRESS_BITS : positive := bits_below(CODE_WORDS);
+  constant QUARTER           : positive := 2 ** bits_below(IMAGE_BITS) / 4;
+
   constant COIL     : std_logic_vector(3 downto 0) := "1001";
   constant SET      : std_logic_vector(3 downto 0) := "1010";
   constant RESET    : std_logic_vector(3 downto 0) := "1011";
@@ -73,6 +81,9 @@ architecture rtl of ladder_processor is
   signal coil_address, function_address            : std_logic_vector(9 downto 0);
   signal function_coil, function_writes            : std_logic;
 begin
+  assert INPUT_PINS <= QUARTER report "INPUT_PINS is 0 to a quarter of IMAGE_BITS" severity failure;
+  assert OUTPUT_PINS <= QUARTER report "OUTPUT_PINS is 0 to a quarter of IMAGE_BITS" severity failure;
+
   idle      <= is_idle;
   scan_done <= is_done;
   advance   <= not hold;
@@ -89,11 +100,12 @@ begin
   -- The word behind the one in work, and the one in work.
   writes_code <= is_idle and code_write;
   code_memory : entity work.lp_memory
-    generic map (WIDTH => 16, ADDRESS_BITS => 10, CONTENTS => CODE_FILE)
+    generic map (WIDTH => 16, ADDRESS_BITS => CODE_ADDRESS_BITS, CONTENTS => CODE_FILE)
     port map (
       clk => clk,
-      write => writes_code, write_address => waddr, write_data => code_in,
-      read => advance, read_address => count(9 downto 0), read_data => code_out
+      write => writes_code, write_address => waddr(CODE_ADDRESS_BITS - 1 downto 0),
+      write_data => code_in,
+      read => advance, read_address => count(CODE_ADDRESS_BITS - 1 downto 0), read_data => code_out
     );
   process (clk)
   begin
@@ -132,7 +144,10 @@ begin
   coil_address <= function_address when function_word = '1' else word(9 downto 0);
   new_coil     <= function_coil when function_word = '1' else value;
   image : entity work.lp_image
-    generic map (INPUT_PINS => INPUT_PINS, OUTPUT_PINS => OUTPUT_PINS, CONTENTS => IMAGE_FILE)
+    generic map (
+      INPUT_PINS => INPUT_PINS, OUTPUT_PINS => OUTPUT_PINS, SIZE => IMAGE_BITS,
+      CONTENTS => IMAGE_FILE
+    )
     port map (
       clk => clk, inputs => inputs, outputs => outputs,
       rst => rst, resetting => resetting, idle => is_idle, start_scan => start_scan,
@@ -179,7 +194,7 @@ begin
         write_coil => function_writes, coil_address => function_address, coil => function_coil
       );
     register_array : entity work.lp_registers
-      generic map (CONTENTS => REGISTER_FILE)
+      generic map (SIZE => REGISTERS, CONTENTS => REGISTER_FILE)
       port map (
         clk => clk, rst => rst, resetting => resetting, idle => is_idle, count => count,
         read_register => read_register, read_word => read_word,

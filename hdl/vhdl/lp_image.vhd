@@ -1,4 +1,4 @@
--- The image: 1024 bits for inputs, outputs and flags, what they are at reset, and the pins.
+-- The image: bits for inputs, outputs and flags, what they are at reset, and the pins.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -8,6 +8,7 @@ entity lp_image is
   generic (
     INPUT_PINS  : natural := 16;
     OUTPUT_PINS : natural := 16;
+    SIZE        : positive := 1024;     -- 8 to 1024, grown to the next power of two
     CONTENTS    : string := ""          -- what the bits are at reset
   );
   port (
@@ -43,6 +44,7 @@ end entity;
 architecture rtl of lp_image is
   constant IN_BITS  : positive := at_least_one(INPUT_PINS);
   constant OUT_BITS : positive := at_least_one(OUTPUT_PINS);
+  constant PLACE_BITS : positive := bits_below(SIZE);
 
   signal place, put_place                    : std_logic_vector(9 downto 0);
   signal resets, samples, hosts, host_bit    : std_logic;
@@ -51,7 +53,9 @@ architecture rtl of lp_image is
   signal sampled                             : std_logic_vector(IN_BITS - 1 downto 0);
   signal is_one, put, put_bit                : std_logic;
   signal write                               : std_logic;
-  signal write_address, read_address         : std_logic_vector(9 downto 0);
+  signal written, looked_at                  : std_logic_vector(9 downto 0);
+  signal initial_place, host_place           : std_logic_vector(PLACE_BITS - 1 downto 0);
+  signal write_address, read_address         : std_logic_vector(PLACE_BITS - 1 downto 0);
   signal write_data, stored                  : std_logic_vector(0 downto 0);
   signal is_new, new_bit, status             : std_logic;
   signal collected                           : std_logic_vector(OUT_BITS - 1 downto 0);
@@ -71,14 +75,16 @@ begin
     end if;
   end process;
 
+  initial_place <= place_of(place, PLACE_BITS);
+  host_place    <= place_of(io_addr, PLACE_BITS);
   writes_reset <= idle and io_write and at_reset;
   io_data(0)   <= io_in;
   initial_bits : entity work.lp_memory
-    generic map (WIDTH => 1, ADDRESS_BITS => 10, CONTENTS => CONTENTS)
+    generic map (WIDTH => 1, ADDRESS_BITS => PLACE_BITS, CONTENTS => CONTENTS)
     port map (
       clk => clk,
-      write => writes_reset, write_address => io_addr, write_data => io_data,
-      read => '1', read_address => place, read_data => initial_data
+      write => writes_reset, write_address => host_place, write_data => io_data,
+      read => '1', read_address => initial_place, read_data => initial_data
     );
 
   -- The inputs go in one by one, the first first.
@@ -101,13 +107,15 @@ begin
              host_bit;
 
   write         <= put or write_coil;
-  write_address <= put_place when put = '1' else coil_address;
+  written       <= put_place when put = '1' else coil_address;
   write_data(0) <= put_bit when put = '1' else coil;
-  read_address  <= next_address when running = '1' else
+  looked_at     <= next_address when running = '1' else
                    "01" & place(7 downto 0) when writing_outputs = '1' else
                    place;
+  write_address <= place_of(written, PLACE_BITS);
+  read_address  <= place_of(looked_at, PLACE_BITS);
   bits : entity work.lp_memory
-    generic map (WIDTH => 1, ADDRESS_BITS => 10)
+    generic map (WIDTH => 1, ADDRESS_BITS => PLACE_BITS)
     port map (
       clk => clk,
       write => write, write_address => write_address, write_data => write_data,

@@ -1,9 +1,11 @@
 -- The register array: presets, counts and words, and what they are at reset.
 library ieee;
 use ieee.std_logic_1164.all;
+use work.lp.all;
 
 entity lp_registers is
   generic (
+    SIZE     : positive := 2047;        -- 8 to 2047, grown to the next power of two
     CONTENTS : string := ""             -- what the registers are at reset
   );
   port (
@@ -28,8 +30,12 @@ entity lp_registers is
 end entity;
 
 architecture rtl of lp_registers is
+  constant PLACE_BITS : positive := bits_below(SIZE);
+
   signal copied, initial_address       : std_logic_vector(10 downto 0);
   signal write_address, read_address   : std_logic_vector(10 downto 0);
+  signal initial_place, host_place     : std_logic_vector(PLACE_BITS - 1 downto 0);
+  signal write_place, read_place       : std_logic_vector(PLACE_BITS - 1 downto 0);
   signal copies, writes_initial, write : std_logic;
   signal initial_word, word            : std_logic_vector(15 downto 0);
   signal write_data                    : std_logic_vector(15 downto 0);
@@ -44,24 +50,28 @@ begin
 
   writes_initial  <= idle and RM_rw and at_reset;
   initial_address <= RM_addr when idle = '1' else count;
+  initial_place <= place_of(initial_address, PLACE_BITS);
+  host_place    <= place_of(RM_addr, PLACE_BITS);
   initial_registers : entity work.lp_memory
-    generic map (WIDTH => 16, ADDRESS_BITS => 11, CONTENTS => CONTENTS)
+    generic map (WIDTH => 16, ADDRESS_BITS => PLACE_BITS, CONTENTS => CONTENTS)
     port map (
       clk => clk,
-      write => writes_initial, write_address => RM_addr, write_data => RM_in,
-      read => '1', read_address => initial_address, read_data => initial_word
+      write => writes_initial, write_address => host_place, write_data => RM_in,
+      read => '1', read_address => initial_place, read_data => initial_word
     );
 
   write         <= copies or (idle and RM_rw and not at_reset) or (not idle and write_register);
   write_address <= copied when copies = '1' else RM_addr when idle = '1' else written_register;
   write_data    <= initial_word when copies = '1' else RM_in when idle = '1' else written_word;
   read_address  <= RM_addr when idle = '1' else read_register;
+  write_place   <= place_of(write_address, PLACE_BITS);
+  read_place    <= place_of(read_address, PLACE_BITS);
   registers : entity work.lp_memory
-    generic map (WIDTH => 16, ADDRESS_BITS => 11)
+    generic map (WIDTH => 16, ADDRESS_BITS => PLACE_BITS)
     port map (
       clk => clk,
-      write => write, write_address => write_address, write_data => write_data,
-      read => '1', read_address => read_address, read_data => word
+      write => write, write_address => write_place, write_data => write_data,
+      read => '1', read_address => read_place, read_data => word
     );
 
   read_word <= word;

@@ -19,7 +19,7 @@ use crate::quantity;
 use crate::source::Source;
 use hdl::testbench::{self, Shown};
 use hdl::{Board, Language, ResetStyle};
-use processor::{Form, Image, Part};
+use processor::{Form, Image, Part, Sizes};
 
 pub use crate::expand::Schedule;
 pub use circuit::CircuitRunner;
@@ -90,6 +90,8 @@ pub struct Options {
     pub debounce_ns: Option<u64>,
     /// In which clocks of a scan the rungs act.
     pub schedule: Schedule,
+    /// What the ladder processor holds for which the image is made.
+    pub processor: Sizes,
 }
 
 /// An option that does not fit the program.
@@ -111,6 +113,7 @@ pub struct Unit<'a> {
     design: Valid<Design>,
     observed: Vec<VariableId>,
     schedule: Schedule,
+    processor: Sizes,
     print: hdl::Options,
     board: Board,
 }
@@ -137,6 +140,7 @@ impl<'a> Unit<'a> {
             design: expand::compile(program, &expand),
             observed,
             schedule,
+            processor: options.processor,
             print: hdl::Options { reset: options.reset, source: source_name, ..Default::default() },
             board,
         })
@@ -176,7 +180,7 @@ impl<'a> Unit<'a> {
             artifacts.push(drawing(&Drawing::new(self.source, &draw::Options::default())));
         }
         if kinds.iter().any(|kind| matches!(kind, Emit::Rom(_) | Emit::Listing)) {
-            let image = processor::compile_observing(self.program, &self.observed)?;
+            let image = processor::compile_for(self.program, &self.observed, self.processor)?;
             artifacts.extend(self.memories(&image, kinds));
             if kinds.contains(&Emit::Listing) {
                 artifacts.push(self.listing(&image));

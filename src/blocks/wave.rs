@@ -9,11 +9,11 @@
 //! ```
 //!
 //! A line `NAME = value` gives a parameter its value, a setting its word, its number of ticks, its
-//! number of words or its list `[1, 2]`, or another port its start. A row gives one
-//! character a scan: `_` and `#` for 0 and 1, a digit for a number. A row `CV+2` or `CV-32760` shows
-//! `CV` with that added, for numbers that are no digit. `IN` is the power; a row `tick` says which
-//! scans have the tick (all, if there is none), a row `unit` which ones have the pulse of the
-//! block's unit of time; a row `(R)` is the power of an `(R name)` that stands below the call.
+//! number of words or its list `[1, 2]`, or another port its start. A row gives one character a
+//! scan: `_` and `#` for 0 and 1, a digit for a number. A row `CV+2` or `CV-32760` shows `CV` with
+//! that added, for numbers that are no digit. `IN` is the power; a row `tick` says which scans have
+//! the tick (all, if there is none), a row `unit` which ones have the pulse of the block's unit of
+//! time; a row `(R)` is the power of an `(R name)` that stands below the call.
 
 use super::{Block, Choice, Shape};
 

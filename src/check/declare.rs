@@ -160,11 +160,7 @@ impl<'s> Checker<'s> {
                 }
                 ElementKind::Call(call) => {
                     self.declare_instance(call);
-                    for argument in &call.arguments {
-                        if let ast::ArgumentValue::Network(network) = &argument.value {
-                            self.declare_misplaced(network);
-                        }
-                    }
+                    call.networks().for_each(|network| self.declare_misplaced(network));
                 }
                 ElementKind::Net(net) => {
                     net.connections.iter().for_each(|one| self.declare_misplaced(&one.network));

@@ -192,6 +192,7 @@ impl<'s> Checker<'s> {
             return Ok(combine(op, a, b));
         }
         let op = arithmetic(operator).expect("every other operator is arithmetic");
+        let divisor = b.span;
         let (a, b) = match op {
             BinaryOp::Multiply | BinaryOp::Divide => self.factors(op, a, b, want)?,
             _ => self.operands(a, b, want)?,
@@ -200,6 +201,9 @@ impl<'s> Checker<'s> {
             (BinaryOp::Multiply | BinaryOp::Divide, Type::Time, Type::Time)
             | (BinaryOp::Modulo, Type::Time, _) => return Err(self.not_by_a_time(span)),
             _ => self.numbers_only(a.ty, span)?,
+        }
+        if matches!(op, BinaryOp::Divide | BinaryOp::Modulo) && b.constant() == Some(0) {
+            self.program.zero_divisors.push(divisor);
         }
         Ok(combine(op, a, b))
     }

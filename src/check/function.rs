@@ -11,9 +11,8 @@ use crate::types::Type;
 /// Arguments of the longest `MIN` and `MAX`.
 const MOST_ARGUMENTS: usize = 256;
 
-/// A function as a user writes it.
+/// A function and what it takes.
 struct Entry {
-    name: &'static str,
     function: Function,
     /// The arguments as the reference shows them.
     arguments: &'static str,
@@ -21,25 +20,20 @@ struct Entry {
     count: [usize; 2],
 }
 
-const fn entry(
-    name: &'static str,
-    function: Function,
-    arguments: &'static str,
-    count: [usize; 2],
-) -> Entry {
-    Entry { name, function, arguments, count }
+const fn entry(function: Function, arguments: &'static str, count: [usize; 2]) -> Entry {
+    Entry { function, arguments, count }
 }
 
 const FUNCTIONS: [Entry; 9] = [
-    entry("ABS", Function::Abs, "x", [1, 1]),
-    entry("MIN", Function::Min, "a, b", [2, MOST_ARGUMENTS]),
-    entry("MAX", Function::Max, "a, b", [2, MOST_ARGUMENTS]),
-    entry("LIMIT", Function::Limit, "low, x, high", [3, 3]),
-    entry("SEL", Function::Select, "g, a, b", [3, 3]),
-    entry("SHL", Function::ShiftLeft, "x, amount", [2, 2]),
-    entry("SHR", Function::ShiftRight, "x, amount", [2, 2]),
-    entry("ROL", Function::RotateLeft, "x, amount", [2, 2]),
-    entry("ROR", Function::RotateRight, "x, amount", [2, 2]),
+    entry(Function::Abs, "x", [1, 1]),
+    entry(Function::Min, "a, b", [2, MOST_ARGUMENTS]),
+    entry(Function::Max, "a, b", [2, MOST_ARGUMENTS]),
+    entry(Function::Limit, "low, x, high", [3, 3]),
+    entry(Function::Select, "g, a, b", [3, 3]),
+    entry(Function::ShiftLeft, "x, amount", [2, 2]),
+    entry(Function::ShiftRight, "x, amount", [2, 2]),
+    entry(Function::RotateLeft, "x, amount", [2, 2]),
+    entry(Function::RotateRight, "x, amount", [2, 2]),
 ];
 
 /// The type of a conversion's result: `INT` of `TO_INT`.
@@ -59,7 +53,7 @@ impl<'s> Checker<'s> {
             self.count_arguments(name, arguments, "x", [1, 1])?;
             return self.converted(to, &arguments[0]);
         }
-        let Some(entry) = FUNCTIONS.iter().find(|entry| entry.name == name.text) else {
+        let Some(entry) = FUNCTIONS.iter().find(|entry| entry.function.name() == name.text) else {
             return Err(self.unknown_function(name));
         };
         self.count_arguments(name, arguments, entry.arguments, entry.count)?;
@@ -87,7 +81,7 @@ impl<'s> Checker<'s> {
 
     fn unknown_function(&mut self, name: Name<'s>) -> Reported {
         let conversions = Type::ALL.map(|ty| format!("TO_{ty}"));
-        let functions = FUNCTIONS.iter().map(|entry| entry.name);
+        let functions = FUNCTIONS.iter().map(|entry| entry.function.name());
         let names: Vec<&str> = functions.chain(conversions.iter().map(String::as_str)).collect();
         let message = format!("there is no function `{}`", shortened(name.text));
         let help = match similar_name(name.text, names.iter().copied()) {
@@ -180,7 +174,7 @@ impl<'s> Checker<'s> {
         if fits {
             return Ok(());
         }
-        let message = format!("{} takes no {ty}", entry.name);
+        let message = format!("{} takes no {ty}", entry.function.name());
         let diagnostic = Diagnostic::new(code::TYPE_MISMATCH, span, message)
             .label(format!("of type {ty}"))
             .help(help);
@@ -208,7 +202,7 @@ impl<'s> Checker<'s> {
     pub(super) fn adapts(&self, expr: &ast::Expr<'s>) -> bool {
         match &expr.kind {
             ast::ExprKind::Function(name, arguments) => {
-                let entry = FUNCTIONS.iter().find(|entry| entry.name == name.text);
+                let entry = FUNCTIONS.iter().find(|entry| entry.function.name() == name.text);
                 let values = match entry.map(|entry| entry.function) {
                     None => return false,
                     Some(Function::Abs | Function::Min | Function::Max | Function::Limit) => {

@@ -13,6 +13,7 @@ mod reference;
 mod settings;
 mod test;
 mod variables;
+mod write;
 
 use std::collections::{HashMap, HashSet};
 

@@ -83,8 +83,12 @@ impl<'s> Checker<'s> {
             },
             ast::ExprKind::Unary(_, operand) => self.number(operand)?.checked_neg(),
             ast::ExprKind::Binary(operator, a, b) => {
+                let divisor = b.span;
                 let (a, b) = (self.number(a), self.number(b));
                 let (a, b) = (a?, b?);
+                if matches!(operator, BinaryOperator::Divide | BinaryOperator::Modulo) && b == 0 {
+                    self.program.zero_divisors.push(divisor);
+                }
                 match operator {
                     BinaryOperator::Add => a.checked_add(b),
                     BinaryOperator::Subtract => a.checked_sub(b),

@@ -8,7 +8,7 @@ use clap::ValueEnum;
 use similar::TextDiff;
 
 use hotrail::backend::hdl::ResetStyle;
-use hotrail::backend::processor::Form;
+use hotrail::backend::processor::{Form, Sizes};
 use hotrail::backend::{self, Artifact, Emit, Unit};
 use hotrail::diagnostic::code;
 use hotrail::files;
@@ -55,6 +55,10 @@ pub struct Options {
     /// How long an input must keep its value before the wrapper lets it pass, such as 10ms
     #[arg(long, value_name = "TIME", value_parser = time)]
     debounce: Option<u64>,
+    /// Sizes of the ladder processor, where they are not those of the papers, such as
+    /// CODE_WORDS=256,IMAGE_BITS=64,REGISTERS=64,STACK_DEPTH=3
+    #[arg(long, value_name = "SIZES")]
+    processor: Option<Sizes>,
     /// Write nothing; compare with the files in the folder and show what differs
     #[arg(long)]
     check: bool,
@@ -186,6 +190,7 @@ fn compile(
         clock_hz: options.clock,
         debounce_ns: options.debounce,
         schedule: options.schedule.schedule(),
+        processor: options.processor.unwrap_or_default(),
     };
     let unit = Unit::new(&program, &source, &backend_options)
         .with_context(|| path.display().to_string())?;

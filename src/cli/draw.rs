@@ -47,7 +47,8 @@ pub struct Options {
     /// Draw the power of a scan of this test: its title, or a part that no other one has
     #[arg(long, value_name = "TITLE", group = "run", conflicts_with = "stimulus")]
     test: Option<String>,
-    /// The scan that is drawn, from 0; the last one of the stimulus or of the test if it is not said
+    /// The scan that is drawn, from 0; the last one of the stimulus or of the test if it is not
+    /// said
     #[arg(long, value_name = "SCAN", requires = "run")]
     at: Option<usize>,
     /// Folder for the pictures, NAME.svg each; without it they go to standard output

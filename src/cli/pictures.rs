@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use anyhow::bail;
 
 use hotrail::draw::{self, Drawing, Glyphs, Look, Timing};
-use hotrail::eval::{self, Evaluator, Flow, Outcome, Stimulus};
+use hotrail::eval::{self, Evaluator, Flow, Machine, Outcome, Stimulus};
 use hotrail::files::{FileError, NewFile};
 use hotrail::model::{Program, Test};
 use hotrail::source::Source;
@@ -35,8 +35,8 @@ pub fn test_stimulus(program: &Program, title: &str) -> anyhow::Result<Stimulus>
     }
 }
 
-/// What goes on in a scan of a run, from 0, and which one it is; in the last one of the stimulus if none is said. Behind
-/// the last row its values are held.
+/// What goes on in a scan of a run, from 0, and which one it is; in the last one of the stimulus if
+/// none is said. Behind the last row its values are held.
 pub fn at(
     program: &Program,
     stimulus: &Stimulus,
@@ -48,11 +48,11 @@ pub fn at(
     let mut evaluator = Evaluator::new(program);
     for scan in 0..last {
         let row = stimulus.row(scan);
-        row.drives.iter().for_each(|&(input, value)| evaluator.drive(input, value));
+        evaluator.drive_row(row);
         evaluator.scan(row.tick);
     }
     let row = stimulus.row(last);
-    row.drives.iter().for_each(|&(input, value)| evaluator.drive(input, value));
+    evaluator.drive_row(row);
     Ok((evaluator.scan_seen(row.tick), moment(last)))
 }
 
@@ -87,7 +87,7 @@ pub fn of_tests(
         let last = stimulus.len().saturating_sub(1);
         for scan in 0..stimulus.len() {
             let row = stimulus.row(scan);
-            row.drives.iter().for_each(|&(input, value)| evaluator.drive(input, value));
+            evaluator.drive_row(row);
             match scan == last {
                 true => flow = evaluator.scan_seen(row.tick),
                 false => evaluator.scan(row.tick),

@@ -6,7 +6,9 @@ use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 
-use hotrail::backend::processor::{self, Fault, Form, Memory, Part, Rom, Symbols, Unreadable};
+use hotrail::backend::processor::{
+    self, Fault, Form, Memory, Part, Rom, Sizes, Symbols, Unreadable,
+};
 use hotrail::diagnostic::code;
 use hotrail::files::FileError;
 
@@ -26,6 +28,9 @@ pub struct Options {
     /// What to print
     #[arg(long = "as", value_enum, default_value_t = Shown::Listing)]
     shown: Shown,
+    /// Sizes of the processor, as for build; else those that the file names in its comment
+    #[arg(long, value_name = "SIZES")]
+    processor: Option<Sizes>,
 }
 
 #[derive(ValueEnum, Clone, Copy, PartialEq, Eq)]
@@ -40,7 +45,7 @@ enum Shown {
 const LARGEST_FILE: u64 = 1 << 20;
 
 pub fn run(options: &Options, report: &mut Report) -> anyhow::Result<Verdict> {
-    let rom = read(&options.file)?;
+    let rom = read(&options.file, options.processor)?;
     let faults = rom.faults();
     if let Some(first) = faults.first() {
         let more = match faults.len() - 1 {
@@ -66,7 +71,7 @@ pub fn run(options: &Options, report: &mut Report) -> anyhow::Result<Verdict> {
 }
 
 /// Reads the code, and what stands beside it.
-fn read(path: &Path) -> anyhow::Result<Rom> {
+fn read(path: &Path, sizes: Option<Sizes>) -> anyhow::Result<Rom> {
     let form = path.extension().and_then(|extension| extension.to_str());
     let form = form.map(str::to_ascii_lowercase).and_then(|form| Form::of_extension(&form));
     let Some(form) = form else {
@@ -75,18 +80,21 @@ fn read(path: &Path) -> anyhow::Result<Rom> {
         return Err(FileError { help: Some(help), ..error }.into());
     };
     let bytes = bytes(path)?;
-    let code = parse(path, Part::Code, form, &bytes)?;
+    let text = String::from_utf8_lossy(&bytes);
+    let sizes = sizes.unwrap_or_else(|| processor::sizes(&text));
+    let parse = |path: &Path, part, bytes: &[u8]| parse(path, part, form, bytes, sizes);
+    let code = parse(path, Part::Code, &bytes)?;
     let beside = |part: Part| -> Result<Memory, FileError> {
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
         let extension = path.extension().unwrap_or_default().to_string_lossy();
         let other = path.with_file_name(format!("{stem}{}.{extension}", part.suffix()));
         match other.exists() {
-            true => parse(&other, part, form, &self::bytes(&other)?),
-            false => parse(&other, part, Form::Binary, &[]),
+            true => parse(&other, part, &self::bytes(&other)?),
+            false => Ok(Memory::new(1, 0)),
         }
     };
     let (registers, bits) = (beside(Part::Registers)?, beside(Part::Bits)?);
-    Ok(Rom::of_memories(&code, &registers, &bits, &String::from_utf8_lossy(&bytes)))
+    Ok(Rom::of_memories(&code, &registers, &bits, sizes, &text))
 }
 
 fn bytes(path: &Path) -> Result<Vec<u8>, FileError> {
@@ -107,8 +115,14 @@ fn bytes(path: &Path) -> Result<Vec<u8>, FileError> {
     Ok(bytes)
 }
 
-fn parse(path: &Path, part: Part, form: Form, bytes: &[u8]) -> Result<Memory, FileError> {
-    part.read(form, bytes).map_err(|Unreadable { line, problem }| {
+fn parse(
+    path: &Path,
+    part: Part,
+    form: Form,
+    bytes: &[u8],
+    sizes: Sizes,
+) -> Result<Memory, FileError> {
+    part.read(form, bytes, sizes).map_err(|Unreadable { line, problem }| {
         let place = line.map(|line| format!("line {line}: ")).unwrap_or_default();
         bad(path, place + &problem)
     })

@@ -154,7 +154,7 @@ impl Run<'_> {
         let progress = progress(self.scans);
         for scan in 0..self.scans {
             let row = self.stimulus.row(scan);
-            row.drives.iter().for_each(|&(input, value)| machine.drive(input, value));
+            machine.drive_row(row);
             if self.drawn == Some(scan) {
                 let flow = seen(&mut machine, row.tick);
                 sink.draw(pictures::power(self.source, &flow, scan));

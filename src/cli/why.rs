@@ -186,9 +186,7 @@ impl Printer {
     fn value(&self, ty: Type, value: i64) -> String {
         match ty {
             Type::Bool => if value != 0 { "on" } else { "off" }.to_owned(),
-            Type::Time if value >= 0 => {
-                quantity::time_text(i128::from(value) * i128::from(self.tick_ns))
-            }
+            Type::Time if value >= 0 => quantity::ticks_text(value, self.tick_ns),
             Type::Time => format!("{value} ticks"),
             Type::Int | Type::Uint | Type::Dint | Type::Udint | Type::Word | Type::Dword => {
                 value.to_string()

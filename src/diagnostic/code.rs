@@ -167,6 +167,7 @@ codes! {
     Warning W0105 NEVER_WRITTEN "a variable is read and never written"
     // Types and values
     Warning W0201 DIVIDER "a division needs a divider of its own"
+    Warning W0202 ZERO_DIVISOR "a divisor is the constant 0"
     // Rungs
     Warning W0301 DOUBLE_COIL "a variable has two coils"
     Warning W0302 COIL_AND_LATCH "a variable has a coil and a set or reset coil"

@@ -211,18 +211,7 @@ impl<'d> View<'d> {
         let decides = seen.is_some_and(|seen| seen.decides);
         match &part.shape {
             Shape::Wire { from, to, power } => {
-                let ((x, y), (to_x, to_y)) = (place(from), place(to));
-                let is_live = rung.has_power(*power);
-                // Heavy lines fill the corners where they meet.
-                let (y, to_y) = match is_live && y != to_y {
-                    true => (y - HEAVY / 2.0, to_y + HEAVY / 2.0),
-                    false => (y, to_y),
-                };
-                let wires = &mut self.strokes(is_live).wires;
-                match y == to_y {
-                    true => write!(wires, "M{x} {y}H{to_x}"),
-                    false => write!(wires, "M{x} {y}V{to_y}"),
-                }
+                self.wire(place(from), place(to), rung.has_power(*power))
             }
             Shape::Rail { x, top: first, bottom } => {
                 let (x, first, last) = (pixels(*x), middle(*first) - 10.0, middle(*bottom) + 10.0);
@@ -269,6 +258,19 @@ impl<'d> View<'d> {
                 self.reading(rung, part, top);
                 Ok(())
             }
+        }
+    }
+
+    fn wire(&mut self, (x, y): (f32, f32), (to_x, to_y): (f32, f32), is_live: bool) -> fmt::Result {
+        // Heavy lines fill the corners where they meet.
+        let (y, to_y) = match is_live && y != to_y {
+            true => (y - HEAVY / 2.0, to_y + HEAVY / 2.0),
+            false => (y, to_y),
+        };
+        let wires = &mut self.strokes(is_live).wires;
+        match y == to_y {
+            true => write!(wires, "M{x} {y}H{to_x}"),
+            false => write!(wires, "M{x} {y}V{to_y}"),
         }
     }
 

@@ -205,7 +205,7 @@ impl<'p> Lowering<'p> {
     /// The power before a list is computed once. It is a common factor of branches that only
     /// look; a branch that acts on the power must have it.
     fn parallel(&mut self, branches: &[Series], mut power: Power) -> Power {
-        let only_looks = branches.iter().all(only_looks);
+        let only_looks = branches.iter().flatten().all(Element::only_looks);
         let start = if only_looks || power.is_empty() {
             Vec::new()
         } else {
@@ -262,22 +262,4 @@ impl<'p> Lowering<'p> {
             None => power,
         }
     }
-}
-
-/// True if the power before a network decides nothing in it but the power behind it.
-fn only_looks(series: &Series) -> bool {
-    series.iter().all(|element| match element {
-        Element::Constant(_)
-        | Element::Contact { .. }
-        | Element::Edge { .. }
-        | Element::Compare(..)
-        | Element::Net(_) => true,
-        Element::Parallel(branches) => branches.iter().all(only_looks),
-        Element::OneShot { .. }
-        | Element::Invert
-        | Element::Coil { .. }
-        | Element::ResetInstance(_)
-        | Element::Assign { .. }
-        | Element::Call(_) => false,
-    })
 }

@@ -3,9 +3,7 @@
 use super::Evaluator;
 use super::recorder::{Recorder, Recording};
 use super::scene::Scene;
-use crate::model::{
-    ArgumentValue, Call, Element, Expr, ExprKind, Net, Place, Program, Rung, Series,
-};
+use crate::model::{Call, Element, Expr, ExprKind, Net, Place, Program, Rung, Series};
 use crate::quantity;
 use crate::types::Type;
 
@@ -15,8 +13,8 @@ const TIME: usize = 12;
 /// One scan as it went through the rungs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Flow {
-    /// For each rung, in text order, its elements in text order: a list before what is in it, a block before the
-    /// circuits that it is given.
+    /// For each rung, in text order, its elements in text order: a list before what is in it, a
+    /// block before the circuits that it is given.
     pub rungs: Vec<Vec<Seen>>,
 }
 
@@ -120,11 +118,7 @@ impl Walk<'_> {
                 }
             }
             Element::Call(call) => {
-                for argument in &call.arguments {
-                    if let ArgumentValue::Network(network) = &argument.value {
-                        self.series(network, true);
-                    }
-                }
+                call.networks().for_each(|network| self.series(network, true));
             }
             Element::Constant(_)
             | Element::Contact { .. }
@@ -245,10 +239,9 @@ fn room(ty: Type) -> usize {
 /// A number of ticks as a time with its unit. Where that is too long it is cut to larger units,
 /// with a `~` in front.
 fn time(ticks: i64, tick_ns: u64) -> String {
-    let ns = i128::from(ticks.unsigned_abs()) * i128::from(tick_ns);
-    let sign = if ticks < 0 { "-" } else { "" };
-    let exact = format!("{sign}{}", quantity::time_text(ns));
-    let cut = |unit: &i128| format!("~{sign}{}", quantity::time_text(ns - ns % unit));
+    let ns = i128::from(ticks) * i128::from(tick_ns);
+    let exact = quantity::time_text(ns);
+    let cut = |unit: &i128| format!("~{}", quantity::time_text(ns - ns % unit));
     let second = 1_000_000_000;
     let units = [1_000_000, second, 60 * second, 3600 * second, 24 * 3600 * second];
     let mut texts = std::iter::once(exact).chain(units.iter().map(cut));

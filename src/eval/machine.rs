@@ -11,6 +11,11 @@ pub trait Machine {
     /// Drives an input with a value of its type, until it is driven again.
     fn drive(&mut self, input: VariableId, value: i64);
 
+    /// Drives the inputs that a row gives a value; the scan itself is still to come.
+    fn drive_row(&mut self, row: Row<'_>) {
+        row.drives.iter().for_each(|&(input, value)| self.drive(input, value));
+    }
+
     /// One scan, with the tick or without.
     fn scan(&mut self, tick: bool);
 

@@ -65,8 +65,8 @@ impl Scene<'_> {
     }
 
     pub(super) fn series_conducts(&self, series: &[Element]) -> bool {
-        let first = series.iter().rposition(|element| self.makes_power(element)).unwrap_or(0);
-        series[first..].iter().all(|element| self.is_passed(element) || self.conducts(element))
+        let first = series.iter().rposition(makes_power).unwrap_or(0);
+        series[first..].iter().all(|element| is_passed(element) || self.conducts(element))
     }
 
     /// The nodes of a network to which a conducting path leads.
@@ -91,37 +91,42 @@ impl Scene<'_> {
             powered[from] && !powered[to] && self.series_conducts(&connection.network) == conducts
         })
     }
+}
 
-    /// True for what has power behind it for reasons of its own.
-    pub(super) fn makes_power(&self, element: &Element) -> bool {
-        match element {
-            Element::OneShot { .. } | Element::Invert => true,
-            Element::Call(call) => call.shape.main_port().is_some(),
-            Element::Constant(_)
-            | Element::Contact { .. }
-            | Element::Edge { .. }
-            | Element::Parallel(_)
-            | Element::Net(_)
-            | Element::Compare(..)
-            | Element::Coil { .. }
-            | Element::ResetInstance(_)
-            | Element::Assign { .. } => false,
-        }
-    }
+/// True for what has power behind it for reasons of its own.
+pub(super) fn makes_power(element: &Element) -> bool {
+    way(element) == Way::Makes
+}
 
-    /// True for what passes the power on as it comes.
-    pub(super) fn is_passed(&self, element: &Element) -> bool {
-        match element {
-            Element::Coil { .. } | Element::ResetInstance(_) | Element::Assign { .. } => true,
-            Element::Call(_) => !self.makes_power(element),
-            Element::Constant(_)
-            | Element::Contact { .. }
-            | Element::Edge { .. }
-            | Element::Parallel(_)
-            | Element::Net(_)
-            | Element::Compare(..)
-            | Element::OneShot { .. }
-            | Element::Invert => false,
-        }
+/// True for what passes the power on as it comes.
+pub(super) fn is_passed(element: &Element) -> bool {
+    way(element) == Way::Passes
+}
+
+/// What an element has to do with the power behind it.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Way {
+    /// Has power behind it for reasons of its own.
+    Makes,
+    /// Lets power pass or not.
+    Decides,
+    /// Passes it on as it comes.
+    Passes,
+}
+
+fn way(element: &Element) -> Way {
+    match element {
+        Element::OneShot { .. } | Element::Invert => Way::Makes,
+        Element::Call(call) if call.shape.main_port().is_some() => Way::Makes,
+        Element::Constant(_)
+        | Element::Contact { .. }
+        | Element::Edge { .. }
+        | Element::Parallel(_)
+        | Element::Net(_)
+        | Element::Compare(..) => Way::Decides,
+        Element::Coil { .. }
+        | Element::ResetInstance(_)
+        | Element::Assign { .. }
+        | Element::Call(_) => Way::Passes,
     }
 }

@@ -2,9 +2,7 @@
 
 use crate::diagnostic::{Diagnostic, code};
 use crate::source::Source;
-use crate::syntax::ast::{
-    ArgumentValue, Edge, Element, ElementKind, File, Item, Reference, Series,
-};
+use crate::syntax::ast::{Edge, Element, ElementKind, File, Item, Reference, Series};
 
 pub(super) fn check(source: &Source, file: &File<'_>, found: &mut Vec<Diagnostic>) {
     let mut rule = Rule { source, found };
@@ -31,11 +29,7 @@ impl Rule<'_> {
                     continue;
                 }
                 ElementKind::Call(call) => {
-                    for argument in &call.arguments {
-                        if let ArgumentValue::Network(network) = &argument.value {
-                            self.series(network, true);
-                        }
-                    }
+                    call.networks().for_each(|network| self.series(network, true));
                     always_on = false;
                     continue;
                 }

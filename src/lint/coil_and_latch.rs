@@ -1,6 +1,7 @@
 //! A coil and a set or reset coil on one bit: the coil undoes what the latch keeps.
 
-use super::index::{Index, Write, Writing, Written};
+use super::index::{Index, Written};
+use super::walk::{Write, Writing};
 use crate::diagnostic::{Diagnostic, code};
 
 pub(super) fn check(index: &Index, found: &mut Vec<Diagnostic>) {

@@ -1,6 +1,7 @@
 //! Divisions that need a divider: hardware that is large and slow next to everything else.
 
-use super::index::{Division, Index};
+use super::index::Index;
+use super::walk::Division;
 use crate::diagnostic::{Diagnostic, code};
 
 pub(super) fn check(index: &Index, found: &mut Vec<Diagnostic>) {

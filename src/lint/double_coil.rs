@@ -1,6 +1,7 @@
 //! Two coils on one bit: the last one wins, in every scan.
 
-use super::index::{Index, Write, Writing, Written};
+use super::index::{Index, Written};
+use super::walk::{Write, Writing};
 use crate::diagnostic::{Diagnostic, code};
 
 /// More places than these are not worth showing.

@@ -1,6 +1,7 @@
 //! Half a latch: set and never reset, or reset and never set.
 
-use super::index::{Index, Write, Writing, Written};
+use super::index::{Index, Written};
+use super::walk::{Write, Writing};
 use crate::diagnostic::{Diagnostic, code};
 use crate::model::Role;
 

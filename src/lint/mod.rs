@@ -21,6 +21,8 @@ mod read_above;
 mod running_equality;
 mod unreset;
 mod unwieldy;
+mod walk;
+mod zero_divisor;
 
 use crate::diagnostic::{Code, Diagnostic, Severity};
 use crate::model::Program;
@@ -59,6 +61,7 @@ const RULES: &[Rule] = &[
     unreset::check,
     running_equality::check,
     divider::check,
+    zero_divisor::check,
 ];
 
 /// The warnings and notes on a program, in the order of their places. What the options deny is

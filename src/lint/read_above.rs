@@ -2,8 +2,9 @@
 
 use std::collections::HashMap;
 
-use super::index::{Index, Part, Read, Write, Writing};
+use super::index::Index;
 use super::more_places;
+use super::walk::{Part, Read, Write, Writing};
 use crate::diagnostic::{Diagnostic, code};
 use crate::index::index as at;
 use crate::model::VariableId;

@@ -1,6 +1,7 @@
 //! `=` or `<>` on the elapsed time of a timer.
 
-use super::index::{Comparison, Index};
+use super::index::Index;
+use super::walk::Comparison;
 use crate::blocks::PortRole;
 use crate::diagnostic::{Diagnostic, code};
 use crate::model::{ArgumentValue, Expr, ExprKind, InstanceId, Relation, Role};

@@ -1,6 +1,6 @@
 //! A run of a program under somebody's hands: what drives it, how far it is, what was done.
 
-use crate::eval::{Evaluator, Flow, Stimulus};
+use crate::eval::{Evaluator, Flow, Machine, Stimulus};
 use crate::model::{Program, Role, VariableId};
 
 /// A program that runs on the reference evaluator, and everything that came from outside since
@@ -103,7 +103,7 @@ impl<'p> Session<'p> {
                 0 => tick,
                 _ => {
                     let row = self.given.row(self.scans());
-                    row.drives.iter().for_each(|&(i, value)| self.evaluator.drive(i, value));
+                    self.evaluator.drive_row(row);
                     row.tick
                 }
             };
@@ -124,7 +124,7 @@ impl<'p> Session<'p> {
         self.restart();
         for scan in 0..scans {
             let row = self.past.row(scan);
-            row.drives.iter().for_each(|&(input, value)| self.evaluator.drive(input, value));
+            self.evaluator.drive_row(row);
             self.execute(row.tick, scan + 1 == scans);
         }
         self.seen = self.inputs.iter().map(|&input| self.evaluator.value(input)).collect();

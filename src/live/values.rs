@@ -49,11 +49,7 @@ pub(super) fn value(session: &Session<'_>, entry: Entry) -> String {
 /// A value of a variable: a time with its unit, anything else in decimal.
 pub(super) fn text(program: &Program, variable: VariableId, value: i64) -> String {
     match program.variables[variable].ty {
-        Type::Time => {
-            let ns = i128::from(value.unsigned_abs()) * i128::from(program.tick_ns);
-            let sign = if value < 0 { "-" } else { "" };
-            format!("{sign}{}", quantity::time_text(ns))
-        }
+        Type::Time => quantity::ticks_text(value, program.tick_ns),
         _ => value.to_string(),
     }
 }

@@ -151,6 +151,21 @@ pub enum Function {
 }
 
 impl Function {
+    /// Its name in a program.
+    pub fn name(self) -> &'static str {
+        match self {
+            Function::Abs => "ABS",
+            Function::Min => "MIN",
+            Function::Max => "MAX",
+            Function::Limit => "LIMIT",
+            Function::Select => "SEL",
+            Function::ShiftLeft => "SHL",
+            Function::ShiftRight => "SHR",
+            Function::RotateLeft => "ROL",
+            Function::RotateRight => "ROR",
+        }
+    }
+
     /// The result of a type for as many arguments as the function takes.
     pub fn apply(self, ty: Type, arguments: &[i64]) -> i64 {
         match (self, arguments) {

@@ -53,6 +53,8 @@ pub struct Program {
     pub tests: Vec<Test>,
     /// The named constants; wherever one is used, its value stands already.
     pub constants: Vec<Constant>,
+    /// Where a divisor is the constant 0, each place once or more often.
+    pub zero_divisors: Vec<Span>,
 }
 
 impl Program {
@@ -304,6 +306,26 @@ pub enum Element {
     Net(Net),
 }
 
+impl Element {
+    /// True for what lets power pass or not whatever power arrives, and puts nothing out.
+    pub fn only_looks(&self) -> bool {
+        match self {
+            Element::Constant(_)
+            | Element::Contact { .. }
+            | Element::Edge { .. }
+            | Element::Compare(..)
+            | Element::Net(_) => true,
+            Element::Parallel(branches) => branches.iter().flatten().all(Element::only_looks),
+            Element::OneShot { .. }
+            | Element::Invert
+            | Element::Coil { .. }
+            | Element::ResetInstance(_)
+            | Element::Assign { .. }
+            | Element::Call(_) => false,
+        }
+    }
+}
+
 /// What a coil writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CoilAction {
@@ -331,6 +353,16 @@ pub struct Call {
     pub arguments: Vec<Argument>,
     /// What the call gives at reset only: the members' initial values are these already.
     pub starts: Vec<Argument>,
+}
+
+impl Call {
+    /// The circuits that it is given, in text order.
+    pub fn networks(&self) -> impl Iterator<Item = &Series> {
+        self.arguments.iter().filter_map(|argument| match &argument.value {
+            ArgumentValue::Network(network) => Some(network),
+            ArgumentValue::Value(_) => None,
+        })
+    }
 }
 
 /// A parameter and what it is given, by the index of the block's port.

@@ -184,7 +184,7 @@ impl Lister<'_> {
                 }
             }
             ExprOp::Call(function, list) => {
-                self.apply(function_name(function), self.equations.list(list), expr.ty)
+                self.apply(function.name(), self.equations.list(list), expr.ty)
             }
             ExprOp::Binary(op, a, b) => self.binary(op, [self.get(a), self.get(b)], expr.ty),
             ExprOp::Compare(relation, a, b) => {
@@ -315,20 +315,6 @@ impl Lister<'_> {
                 self.write(member, value);
             }
         }
-    }
-}
-
-fn function_name(function: Function) -> &'static str {
-    match function {
-        Function::Abs => "ABS",
-        Function::Min => "MIN",
-        Function::Max => "MAX",
-        Function::Limit => "LIMIT",
-        Function::Select => "SEL",
-        Function::ShiftLeft => "SHL",
-        Function::ShiftRight => "SHR",
-        Function::RotateLeft => "ROL",
-        Function::RotateRight => "ROR",
     }
 }
 

@@ -116,10 +116,7 @@ impl<'p> Names<'p> {
         let settings = shape.block.settings.iter().zip(&shape.chosen);
         let text = |choice: &Choice, chosen: &[i64]| match choice {
             Choice::Word(words) => (chosen[0] != 0).then(|| words[chosen[0] as usize].to_owned()),
-            Choice::Time(..) => {
-                let ns = i128::from(chosen[0]) * i128::from(self.program.tick_ns);
-                Some(quantity::time_text(ns))
-            }
+            Choice::Time(..) => Some(quantity::ticks_text(chosen[0], self.program.tick_ns)),
             // Its words are read and written by name.
             Choice::Register { .. } => None,
             Choice::List { .. } => {

@@ -154,11 +154,7 @@ fn number(program: &Program, value: i64, ty: Type) -> String {
     match ty {
         Type::Bool => if value == 0 { "FALSE" } else { "TRUE" }.to_owned(),
         Type::Word | Type::Dword => format!("16#{value:X}"),
-        Type::Time => {
-            let ns = i128::from(value) * i128::from(program.tick_ns);
-            let sign = if ns < 0 { "-" } else { "" };
-            format!("{sign}{}", quantity::time_text(ns.abs()))
-        }
+        Type::Time => quantity::ticks_text(value, program.tick_ns),
         Type::Int | Type::Uint | Type::Dint | Type::Udint => value.to_string(),
     }
 }

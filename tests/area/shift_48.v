@@ -1,4 +1,5 @@
-// A shift register of 48 places: whether there is a part at the front is seen when the place leaves.
+// A shift register of 48 places: whether there is a part at the front is seen when the place
+// leaves.
 module shift_48 (
   input  wire clk,
   input  wire rst,

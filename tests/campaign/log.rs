@@ -30,7 +30,8 @@ pub struct Failure {
     pub text: String,
 }
 
-/// All records of a log. A last line without an end is what a stopped run left; it counts for nothing.
+/// All records of a log. A last line without an end is what a stopped run left; it counts for
+/// nothing.
 pub fn read(text: &str, name: &Path) -> anyhow::Result<Vec<Record>> {
     let whole = text.rfind('\n').map_or("", |end| &text[..end]);
     let parse = |(number, line): (usize, &str)| {

@@ -27,7 +27,6 @@ pub fn print(logs: &[PathBuf]) -> anyhow::Result<bool> {
     }
     println!("| what holds | programs | scans | failed | minutes on a core |");
     println!("|---|---|---|---|---|");
-    let mut good = true;
     let mut below = Vec::new();
     for (name, mut records) in by_check {
         let shows = Check::named(&name).map_or(&*name, |check| check.shows);
@@ -45,17 +44,13 @@ pub fn print(logs: &[PathBuf]) -> anyhow::Result<bool> {
                 below.push(format!("{name}: seeds {next} to {} are missing", record.first - 1));
             }
             next = next.max(record.end);
+            let failures = record.failures.iter();
             below.extend(
-                record
-                    .failures
-                    .iter()
-                    .map(|failure| format!("{name}: seed {}, {}", failure.seed, failure.text)),
+                failures.map(|found| format!("{name}: seed {}, {}", found.seed, found.text)),
             );
         }
-        good &= failed == 0;
     }
     println!("\nrevision {revision}");
-    good &= below.is_empty();
     below.iter().for_each(|line| println!("{line}"));
-    Ok(good)
+    Ok(below.is_empty())
 }

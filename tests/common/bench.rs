@@ -41,7 +41,8 @@ impl Bench {
         }
     }
 
-    /// The outputs before each clock, in binary, a line for each, elements of arrays by themselves; nothing if the tool is missing.
+    /// The outputs before each clock, in binary, a line for each, elements of arrays by themselves;
+    /// nothing if the tool is missing.
     pub fn run(
         &self,
         language: Language,

@@ -12,6 +12,7 @@ use hotrail::expand;
 use hotrail::model::{Program, Role, VariableId};
 
 use super::bench::{self, Bench};
+use super::dice::Dice;
 use super::lockstep::inner_variables;
 use super::{analyze, generate};
 
@@ -25,8 +26,9 @@ struct Subject {
     meant: String,
 }
 
-/// Runs the programs of these seeds for that many scans on random inputs and ticks in the simulator of
-/// a language, all that has a name shown: for each what is wrong. Nothing if the tool is missing.
+/// Runs the programs of these seeds for that many scans on random inputs and ticks in the simulator
+/// of a language, all that has a name shown: for each what is wrong. Nothing if the tool is
+/// missing.
 ///
 /// # Panics
 /// If the tool refuses one of them.
@@ -97,8 +99,7 @@ fn drive(program: &Program, evaluator: &mut Evaluator<'_>, random: &mut Rng) -> 
     let mut row = vec![u64::from(tick)];
     for (input, variable) in program.with_role(Role::Input) {
         if random.u8(..3) == 0 {
-            let value = if random.bool() { random.i64(-3..4) } else { random.i64(..) };
-            evaluator.drive(input, variable.ty.wrap(value));
+            evaluator.drive(input, random.value(variable.ty));
         }
         row.push(variable.ty.bits(evaluator.value(input)));
     }

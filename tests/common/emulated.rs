@@ -1,4 +1,5 @@
-//! The reference evaluator and the ladder processor's emulator, scan by scan on random inputs and ticks.
+//! The reference evaluator and the ladder processor's emulator, scan by scan on random inputs and
+//! ticks.
 
 use fastrand::Rng;
 use hotrail::backend::processor::{self, Image, Machine};

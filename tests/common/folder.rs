@@ -2,7 +2,8 @@
 
 use std::fs;
 use std::io::Write;
-use std::path::PathBuf;
+use std::iter::once;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
 /// The command line; a campaign of random programs does without.
@@ -42,6 +43,16 @@ impl Folder {
         Run::new(child.wait_with_output().unwrap())
     }
 
+    /// Runs a line of a shell in it, to which `hotrail` is a command.
+    pub fn shell(&self, line: &str) -> Run {
+        let tool = Path::new(HOTRAIL.expect("a test has it")).parent().unwrap();
+        let usual = std::env::var_os("PATH").unwrap_or_default();
+        let places = once(tool.to_owned()).chain(std::env::split_paths(&usual));
+        let mut command = Command::new("sh");
+        command.args(["-c", line]).env("PATH", std::env::join_paths(places).unwrap());
+        Run::new(command.current_dir(self.0.path()).output().unwrap())
+    }
+
     /// Runs `hotrail` in it.
     pub fn run(&self, arguments: &[&str]) -> Run {
         let mut command = Command::new(HOTRAIL.expect("a test has it"));
@@ -61,7 +72,7 @@ pub struct Run {
 
 impl Run {
     /// Reads what a process left.
-    pub fn new(output: Output) -> Self {
+    fn new(output: Output) -> Self {
         let text = |bytes| String::from_utf8(bytes).unwrap();
         Run {
             code: output.status.code().unwrap(),

@@ -10,6 +10,8 @@ use hotrail::blocks::{self, Block, Choice, Port, PortRole, Setting, Shape};
 use hotrail::types::Type;
 use words::Array;
 
+use super::dice::Dice;
+
 const NUMBERS: [&str; 7] = ["INT", "UINT", "DINT", "UDINT", "WORD", "DWORD", "TIME"];
 /// Lengths of the tick in milliseconds: the longer ones let blocks that count seconds count.
 const TICKS: [u64; 8] = [1, 1, 5, 10, 50, 100, 500, 1000];
@@ -78,7 +80,7 @@ fn program_of(seed: u64, has_products: bool) -> String {
         registers: Vec::new(),
         in_net: false,
     };
-    generator.tick = generator.pick(&TICKS);
+    generator.tick = generator.random.pick(&TICKS);
     let mut text = format!("ladder random_{seed}\ntick {}ms\n", generator.tick);
     generator.declarations(&mut text);
     let rungs = 1 + generator.random.usize(..12);
@@ -94,21 +96,13 @@ fn program_of(seed: u64, has_products: bool) -> String {
 }
 
 impl Generator {
-    fn chance(&mut self, one_in: u32) -> bool {
-        self.random.u32(..one_in) == 0
-    }
-
-    fn pick<T: Clone>(&mut self, list: &[T]) -> T {
-        list[self.random.usize(..list.len())].clone()
-    }
-
     fn declarations(&mut self, text: &mut String) {
         for (kind, letter, most) in [("input", "i", 5), ("output", "o", 4), ("var", "v", 4)] {
             for index in 0..1 + self.random.usize(..most) {
                 let name = self.name(letter, index);
-                if index > 0 && self.chance(3) {
-                    let ty = self.pick(&NUMBERS);
-                    let initial = if kind != "input" && self.chance(2) {
+                if index > 0 && self.random.chance(3) {
+                    let ty = self.random.pick(&NUMBERS);
+                    let initial = if kind != "input" && self.random.chance(2) {
                         format!(" := {}", self.literal(ty))
                     } else {
                         String::new()
@@ -119,7 +113,8 @@ impl Generator {
                         self.targets.push((name, ty));
                     }
                 } else {
-                    let initial = if kind != "input" && self.chance(4) { " := 1" } else { "" };
+                    let initial =
+                        if kind != "input" && self.random.chance(4) { " := 1" } else { "" };
                     writeln!(text, "{kind} {name}{initial}").unwrap();
                     self.bits.push(name.clone());
                     if kind != "input" {
@@ -129,7 +124,7 @@ impl Generator {
             }
             self.array(kind, letter, text);
         }
-        if self.chance(3) {
+        if self.random.chance(3) {
             writeln!(text, "var step : INT").unwrap();
             for list in [&mut self.numbers, &mut self.targets] {
                 list.push(("step".to_owned(), "INT"));
@@ -147,9 +142,9 @@ impl Generator {
     fn block(&mut self, name: String) {
         let counts = |block: &&'static Block| self.is_whole(block);
         let known: Vec<&'static Block> = blocks::ALL.iter().copied().filter(counts).collect();
-        let block = self.pick(&known);
+        let block = self.random.pick(&known);
         let (shape, settings) = self.settings(block);
-        let left_out: Vec<bool> = shape.ports.iter().map(|_| self.chance(3)).collect();
+        let left_out: Vec<bool> = shape.ports.iter().map(|_| self.random.chance(3)).collect();
         for (port, &left_out) in shape.ports.iter().zip(&left_out) {
             let member = format!("{name}.{}", port.name);
             if !port.role.is_member() {
@@ -206,7 +201,7 @@ impl Generator {
                     let milliseconds = lengths.iter().map(|ns| ns / 1_000_000);
                     let whole: Vec<u64> =
                         milliseconds.filter(|ms| ms.is_multiple_of(self.tick)).collect();
-                    let length = self.pick(&whole);
+                    let length = self.random.pick(&whole);
                     text = format!("{length}ms");
                     vec![(length / self.tick) as i64]
                 }
@@ -223,9 +218,12 @@ impl Generator {
                     vec![0; words]
                 }
                 Choice::List { low, high, most } => {
-                    let items: Vec<i64> = (0..1 + self.random.usize(..*most))
-                        .map(|_| if self.chance(8) { *high } else { self.random.i64(*low..8) })
-                        .collect();
+                    let items: Vec<i64> =
+                        (0..1 + self.random.usize(..*most))
+                            .map(|_| {
+                                if self.random.chance(8) { *high } else { self.random.i64(*low..8) }
+                            })
+                            .collect();
                     let words: Vec<String> = items.iter().map(i64::to_string).collect();
                     text = format!("[{}]", words.join(", "));
                     items
@@ -243,7 +241,7 @@ impl Generator {
             "o" => ["`%QX0.1`", "process", "y__1", "Rst", "`tick`"],
             _ => ["`I_0_1`", "begin", "`motor an`", "Signal_u", "unsigned"],
         };
-        if self.chance(6) { strange[index].to_owned() } else { format!("{letter}{index}") }
+        if self.random.chance(6) { strange[index].to_owned() } else { format!("{letter}{index}") }
     }
 
     fn call(&mut self) -> String {
@@ -282,10 +280,10 @@ impl Generator {
         let variables: Vec<String> =
             self.numbers.iter().filter(|n| n.1 == ty).map(|n| n.0.clone()).collect();
         match self.random.u32(..8) {
-            0..=2 if !variables.is_empty() => self.pick(&variables),
+            0..=2 if !variables.is_empty() => self.random.pick(&variables),
             3 if !variables.is_empty() => {
                 let operator = if port.ty.is_number() { "+" } else { "XOR" };
-                format!("{} {operator} {}", self.pick(&variables), self.literal(ty))
+                format!("{} {operator} {}", self.random.pick(&variables), self.literal(ty))
             }
             choice => {
                 let value = if choice == 4 { high } else { self.random.i64(low..low + 6) };
@@ -305,12 +303,14 @@ impl Generator {
                 let ticks = self.random.i64(0..6);
                 self.time(ticks)
             }
-            "INT" => self.pick(&["0", "1", "2", "5", "-1", "32767", "-32768"]).to_owned(),
-            "DINT" => self.pick(&["0", "1", "7", "-1", "2147483647", "-2147483648"]).to_owned(),
-            "UINT" => self.pick(&["0", "1", "3", "65535"]).to_owned(),
-            "UDINT" => self.pick(&["0", "1", "3", "4294967295"]).to_owned(),
-            "WORD" => self.pick(&["16#0", "16#FF", "2#1010", "16#FFFF"]).to_owned(),
-            _ => self.pick(&["16#0", "16#FF00FF", "8#17", "16#FFFFFFFF"]).to_owned(),
+            "INT" => self.random.pick(&["0", "1", "2", "5", "-1", "32767", "-32768"]).to_owned(),
+            "DINT" => {
+                self.random.pick(&["0", "1", "7", "-1", "2147483647", "-2147483648"]).to_owned()
+            }
+            "UINT" => self.random.pick(&["0", "1", "3", "65535"]).to_owned(),
+            "UDINT" => self.random.pick(&["0", "1", "3", "4294967295"]).to_owned(),
+            "WORD" => self.random.pick(&["16#0", "16#FF", "2#1010", "16#FFFF"]).to_owned(),
+            _ => self.random.pick(&["16#0", "16#FF00FF", "8#17", "16#FFFFFFFF"]).to_owned(),
         }
     }
 
@@ -319,7 +319,7 @@ impl Generator {
             self.numbers.iter().filter(|number| number.1 == ty).map(|n| n.0.clone()).collect();
         let is_pattern = matches!(ty, "WORD" | "DWORD");
         if depth > 0
-            && self.chance(3)
+            && self.random.chance(3)
             && let Some(worked_out) = self.worked_out(ty, depth)
         {
             return worked_out;
@@ -329,7 +329,7 @@ impl Generator {
                 let (a, b) = (self.number(ty, depth - 1), self.number(ty, depth - 1));
                 let operators: &[&str] =
                     if is_pattern { &["AND", "OR", "XOR"] } else { &["+", "-"] };
-                let text = format!("({a} {} {b})", self.pick(operators));
+                let text = format!("({a} {} {b})", self.random.pick(operators));
                 // Literals alone do not wrap: a sum that does not fit its type is an error.
                 match text.contains(|c: char| c.is_ascii_alphabetic()) {
                     true => text,
@@ -338,25 +338,25 @@ impl Generator {
             }
             2 if depth > 0 && !same.is_empty() => {
                 let operator = if is_pattern { "NOT " } else { "-" };
-                format!("({operator}{})", self.pick(&same))
+                format!("({operator}{})", self.random.pick(&same))
             }
-            3..=4 if !same.is_empty() => self.pick(&same),
+            3..=4 if !same.is_empty() => self.random.pick(&same),
             _ => self.literal(ty),
         }
     }
 
     fn condition(&mut self, depth: u32) -> String {
-        if depth > 0 && self.chance(3) {
+        if depth > 0 && self.random.chance(3) {
             let (a, b) = (self.condition(depth - 1), self.condition(depth - 1));
-            return format!("({a}) {} ({b})", self.pick(&["AND", "OR", "XOR"]));
+            return format!("({a}) {} ({b})", self.random.pick(&["AND", "OR", "XOR"]));
         }
         let bits: Vec<String> =
             self.bits.iter().filter(|bit| *bit != "first_scan").cloned().collect();
-        if self.numbers.is_empty() || self.chance(4) {
-            return format!("{}{}", self.pick(&["", "NOT "]), self.pick(&bits));
+        if self.numbers.is_empty() || self.random.chance(4) {
+            return format!("{}{}", self.random.pick(&["", "NOT "]), self.random.pick(&bits));
         }
-        let (name, ty) = self.pick(&self.numbers.clone());
+        let (name, ty) = self.random.pick(&self.numbers);
         let other = self.number(ty, 1);
-        format!("{name} {} {other}", self.pick(&RELATIONS))
+        format!("{name} {} {other}", self.random.pick(&RELATIONS))
     }
 }

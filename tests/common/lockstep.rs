@@ -6,6 +6,8 @@ use hotrail::eval::Evaluator;
 use hotrail::expand;
 use hotrail::model::{Program, Role, Variable, VariableId};
 
+use super::dice::Dice;
+
 /// Every variable that a program can name but its ports.
 pub fn inner_variables(program: &Program) -> Vec<VariableId> {
     let is_inner = |variable: &Variable| {
@@ -128,8 +130,7 @@ pub fn difference(program: &Program, scans: usize, mut random: Rng) -> Option<St
         for &input in &inputs {
             let ty = program.variables[input].ty;
             if random.u8(..3) == 0 {
-                let value = if random.bool() { random.i64(-3..4) } else { random.i64(..) };
-                evaluator.drive(input, ty.wrap(value));
+                evaluator.drive(input, random.value(ty));
             }
             bits.push(ty.bits(evaluator.value(input)));
         }

@@ -5,18 +5,62 @@ use std::fs;
 use std::path::Path;
 
 use fastrand::Rng;
-use hotrail::backend::processor::{self, Form, Image, Machine, Part, clocks_of_scan};
+use hotrail::backend::processor::{self, Form, Image, Machine, Part, Sizes, clocks_of_scan};
 use hotrail::model::{Program, Role};
 use hotrail::source::Source;
 
-/// The registers that are compared: presets, counts, and the first words.
-pub const REGISTERS: u16 = 660;
+use super::emulated::compile;
+use super::relay;
 
-/// The program and its image, if the processor can do it.
-pub fn image(text: &str) -> Option<(Program, Image)> {
+/// The registers that are compared: presets, counts, and the first words.
+const REGISTERS: u16 = 660;
+
+/// Those of so many random programs that the processor can do, with their images and what to drive
+/// them with.
+pub fn random_programs(count: u64) -> impl Iterator<Item = (String, Program, Image, Rng)> {
+    (0..count).filter_map(|seed| {
+        let (program, image) = compile(&relay::program(seed)).ok()?;
+        Some((format!("seed {seed}"), program, image, Rng::with_seed(seed)))
+    })
+}
+
+/// The examples that it can do, in the same way.
+///
+/// # Panics
+/// If there are hardly any.
+pub fn examples() -> Vec<(String, Program, Image, Rng)> {
+    let examples = super::examples().into_iter().filter_map(|example| {
+        let (program, image) = compile(&fs::read_to_string(&example.ladder).unwrap()).ok()?;
+        Some((example.name(), program, image, Rng::with_seed(1)))
+    });
+    let examples: Vec<_> = examples.collect();
+    assert!(examples.len() > 5, "{} examples", examples.len());
+    examples
+}
+
+/// The program and its image for a processor of these sizes, if it can do it.
+fn image_for(text: &str, sizes: Sizes) -> Option<(Program, Image)> {
     let (program, _) = hotrail::analyze(&Source::new("test.ladder", text));
     let program = program?;
-    processor::compile(&program).ok().map(|image| (program, image))
+    processor::compile_for(&program, &[], sizes).ok().map(|image| (program, image))
+}
+
+/// The same for the smallest processor with stacks of so many bits.
+pub fn smallest(text: &str, stack_depth: usize) -> Option<(Program, Image)> {
+    let usual = Sizes { stack_depth, ..Sizes::default() };
+    let needs = image_for(text, usual)?.1.rom.needs();
+    // Words have another place where there are few registers.
+    let registers = (3..11).map(|bits| 1 << bits).chain([2047]);
+    let sizes = |registers| Sizes { registers, stack_depth, ..needs };
+    let found = registers.into_iter().find_map(|registers| image_for(text, sizes(registers)));
+    Some(found.expect("what it needs is enough"))
+}
+
+/// The bits from the outputs on that the image has, and of its registers the first.
+pub fn held(sizes: Sizes) -> (Vec<u16>, Vec<u16>) {
+    let registers = (0..2047).filter(|register| sizes.has_register(*register));
+    let bits = (256..1024).filter(|bit| sizes.has_bit(*bit)).collect();
+    (bits, registers.take(REGISTERS.into()).collect())
 }
 
 /// Ticks in a tenth of a second and in a second; 0 where a tick does not divide it.
@@ -82,6 +126,7 @@ pub fn meant(image: &Image, rows: &[Row]) -> Vec<String> {
         let all: Vec<bool> = machine.outputs().collect();
         all.into_iter().rev().map(bit).collect()
     };
+    let (bits, registers) = held(image.rom.sizes);
     let mut lines = vec![format!("reset {}", outputs(&machine))];
     for row in rows {
         for &(register, word) in &row.written {
@@ -90,8 +135,8 @@ pub fn meant(image: &Image, rows: &[Row]) -> Vec<String> {
         (0..).zip(&row.inputs).for_each(|(input, &on)| machine.drive(input, on));
         machine.scan(row.tick);
         let mut line = format!("{} {} ", clocks_of_scan(&image.rom), outputs(&machine));
-        line.extend((256..1024).map(|address| bit(machine.bit(address))));
-        for register in 0..REGISTERS {
+        line.extend(bits.iter().map(|&address| bit(machine.bit(address))));
+        for &register in &registers {
             write!(line, " {:x}", machine.register(register)).unwrap();
         }
         lines.push(line);

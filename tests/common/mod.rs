@@ -5,6 +5,7 @@ pub mod bench;
 pub mod bulk;
 pub mod checks;
 pub mod designs;
+pub mod dice;
 pub mod emulated;
 pub mod folder;
 pub mod generate;
@@ -99,6 +100,31 @@ impl Example {
 pub fn amount(variable: &str, otherwise: u64) -> u64 {
     let given = std::env::var(variable).ok();
     given.map_or(otherwise, |text| text.parse().expect("an amount is a number"))
+}
+
+/// The programs of the examples, with their paths.
+pub fn example_programs() -> impl Iterator<Item = (String, Program)> {
+    examples().into_iter().map(|example| checked(&example.ladder))
+}
+
+/// Programs that once showed a mistake, with their paths: `tests/lockstep`. They are kept as texts,
+/// because a change to the generator changes what a seed means.
+///
+/// # Panics
+/// If there is none.
+pub fn kept_programs() -> impl Iterator<Item = (String, Program)> {
+    let entries = std::fs::read_dir("tests/lockstep").expect("there are kept programs");
+    let mut paths: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
+    paths.sort();
+    assert!(!paths.is_empty());
+    paths.into_iter().map(|path| checked(&path))
+}
+
+fn checked(path: &Path) -> (String, Program) {
+    let name = path.display().to_string();
+    let text = std::fs::read_to_string(path).unwrap();
+    let program = analyze(&name, &text).unwrap_or_else(|findings| panic!("{findings}"));
+    (name, program)
 }
 
 /// Every example, in order of its name.

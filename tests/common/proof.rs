@@ -56,8 +56,8 @@ fn script(name: &str) -> String {
     )
 }
 
-/// True if Yosys proves both editions of the ladder processor equal. Parameters have a Verilog name,
-/// a VHDL name and a value.
+/// True if Yosys proves both editions of the ladder processor equal. Parameters have a Verilog
+/// name, a VHDL name and a value.
 ///
 /// # Panics
 /// If one of them cannot be read.

@@ -1,4 +1,5 @@
-//! Programs with a test that expects what the reference evaluator does, for whoever else runs tests.
+//! Programs with a test that expects what the reference evaluator does, for whoever else runs
+//! tests.
 
 use std::fmt::Write;
 
@@ -6,6 +7,8 @@ use fastrand::Rng;
 use hotrail::eval::Evaluator;
 use hotrail::model::{Program, Role, Variable, VariableId};
 use hotrail::types::Type;
+
+use super::dice::Dice;
 
 /// A literal of a value, as an expectation can compare with it; a tick is so many milliseconds.
 fn literal(ty: Type, value: i64, tick: i64) -> String {
@@ -47,8 +50,7 @@ pub fn with_recorded_test(text: &str, program: &Program, random: &mut Rng) -> St
             let ty = &program.variables[input].ty;
             let name = quoted(program, input, &program.variables[input]);
             if random.u8(..3) == 0 {
-                let value = if random.bool() { random.i64(-3..4) } else { random.i64(..) };
-                let value = ty.wrap(value);
+                let value = random.value(*ty);
                 evaluator.drive(input, value);
                 writeln!(text, "    {name} := {}", literal(*ty, value, tick_ms)).unwrap();
             }

@@ -4,6 +4,8 @@ use std::fmt::Write;
 
 use fastrand::Rng;
 
+use super::dice::Dice;
+
 struct Generator {
     random: Rng,
     bits: Vec<String>,
@@ -59,23 +61,15 @@ fn text_of(seed: u64, is_plain: bool) -> String {
 }
 
 impl Generator {
-    fn chance(&mut self, one_in: u32) -> bool {
-        self.random.u32(..one_in) == 0
-    }
-
-    fn pick<T: Clone>(&mut self, list: &[T]) -> T {
-        list[self.random.usize(..list.len())].clone()
-    }
-
     fn declarations(&mut self, text: &mut String) {
         for (kind, first, most) in [("input", 0, 5), ("output", 256, 4), ("var", 512, 4)] {
             for index in 0..1 + self.random.usize(..most) {
                 let name = format!("{}{index}", &kind[..1]);
-                let at = match self.chance(5) {
+                let at = match self.random.chance(5) {
                     true => format!(" at {}", first + 20 * index + self.random.usize(..20)),
                     false => String::new(),
                 };
-                let initial = if kind != "input" && self.chance(4) { " := 1" } else { "" };
+                let initial = if kind != "input" && self.random.chance(4) { " := 1" } else { "" };
                 writeln!(text, "{kind} {name}{at}{initial}").unwrap();
                 self.bits.push(name.clone());
                 if kind != "input" {
@@ -101,7 +95,11 @@ var words : WORD[3] := [16#8001, 16#FFFF, 16#7FFE]"
             let name = format!("b{index}");
             self.bits.push(format!("{name}.Q"));
             let functions = if self.is_tick_short { &FUNCTIONS[..] } else { &FUNCTIONS[..10] };
-            let kind = if self.chance(3) { self.pick(&LATCHES) } else { self.pick(functions) };
+            let kind = if self.random.chance(3) {
+                self.random.pick(&LATCHES)
+            } else {
+                self.random.pick(functions)
+            };
             if LATCHES.contains(&kind) || COUNTS.contains(&kind) {
                 self.latches.push(name.clone());
             }
@@ -123,7 +121,7 @@ var words : WORD[3] := [16#8001, 16#FFFF, 16#7FFE]"
     fn element(&mut self, depth: u32) -> String {
         match self.random.u32(..24) {
             0 | 1 => self.output(),
-            2 => self.pick(&["rising", "falling", "not"]).to_owned(),
+            2 => self.random.pick(&["rising", "falling", "not"]).to_owned(),
             3 => self.call().unwrap_or_else(|| self.look(depth)),
             4..=9 if depth > 0 => {
                 let branches = 1 + self.random.usize(..3);
@@ -143,9 +141,9 @@ var words : WORD[3] := [16#8001, 16#FFFF, 16#7FFE]"
     fn look(&mut self, depth: u32) -> String {
         let plain: Vec<String> = self.bits[1..].to_vec();
         match self.random.u32(..16) {
-            0 => self.pick(&["TRUE", "FALSE"]).to_owned(),
+            0 => self.random.pick(&["TRUE", "FALSE"]).to_owned(),
             1 => {
-                let (edge, bit) = (self.pick(&["rise", "fall"]), self.pick(&plain));
+                let (edge, bit) = (self.random.pick(&["rise", "fall"]), self.random.pick(&plain));
                 format!("{edge}({bit})")
             }
             2 => format!("{{ {} }}", self.condition(2)),
@@ -156,8 +154,8 @@ var words : WORD[3] := [16#8001, 16#FFFF, 16#7FFE]"
                 format!("[ {} ]", list.join(" | "))
             }
             _ => {
-                let bit = self.pick(&self.bits.clone());
-                format!("{}{bit}", self.pick(&["", "", "!"]))
+                let bit = self.random.pick(&self.bits);
+                format!("{}{bit}", self.random.pick(&["", "", "!"]))
             }
         }
     }
@@ -180,9 +178,9 @@ var words : WORD[3] := [16#8001, 16#FFFF, 16#7FFE]"
             write!(text, " {node} -> right : {}", self.looks(0)).unwrap();
         }
         for _ in 0..self.random.usize(..3) {
-            let (from, to) = (self.pick(nodes), self.pick(nodes));
+            let (from, to) = (self.random.pick(nodes), self.random.pick(nodes));
             if from != to && from != "right" && to != "left" {
-                let arrow = self.pick(&["->", "<->"]);
+                let arrow = self.random.pick(&["->", "<->"]);
                 write!(text, " {from} {arrow} {to} : {}", self.looks(0)).unwrap();
             }
         }
@@ -191,21 +189,25 @@ var words : WORD[3] := [16#8001, 16#FFFF, 16#7FFE]"
 
     fn condition(&mut self, depth: u32) -> String {
         let plain: Vec<String> = self.bits[1..].to_vec();
-        if depth == 0 || self.chance(3) {
-            return format!("{}{}", self.pick(&["", "NOT "]), self.pick(&plain));
+        if depth == 0 || self.random.chance(3) {
+            return format!("{}{}", self.random.pick(&["", "NOT "]), self.random.pick(&plain));
         }
         let (a, b) = (self.condition(depth - 1), self.condition(depth - 1));
-        let operator = self.pick(&["AND", "OR", "XOR", "=", "<>", "<", "<=", ">", ">="]);
+        let operator = self.random.pick(&["AND", "OR", "XOR", "=", "<>", "<", "<=", ">", ">="]);
         format!("({a}) {operator} ({b})")
     }
 
     fn output(&mut self) -> String {
-        let coil = self.pick(&self.coils.clone());
+        let coil = self.random.pick(&self.coils);
         match self.random.u32(..12) {
-            0 if !coil.contains('.') => format!("{{ {coil} := {} }}", self.condition(2)),
-            1 if !self.latches.is_empty() => format!("(R {})", self.pick(&self.latches.clone())),
+            0 => {
+                let constant = self.random.chance(4).then(|| self.random.pick(&["TRUE", "FALSE"]));
+                let value = constant.map_or_else(|| self.condition(2), str::to_owned);
+                format!("{{ {coil} := {value} }}")
+            }
+            1 if !self.latches.is_empty() => format!("(R {})", self.random.pick(&self.latches)),
             _ => {
-                let action = self.pick(&["", "", "", "", "!", "S ", "R ", "rise ", "fall "]);
+                let action = self.random.pick(&["", "", "", "", "!", "S ", "R ", "rise ", "fall "]);
                 format!("({action}{coil})")
             }
         }
@@ -218,7 +220,7 @@ var words : WORD[3] := [16#8001, 16#FFFF, 16#7FFE]"
             false => self.uncalled.swap_remove(place),
         };
         let arguments = match kind {
-            "SR" | "RS" if self.chance(4) => String::new(),
+            "SR" | "RS" if self.random.chance(4) => String::new(),
             "SR" => format!("R := [ {} ]", self.looks(1)),
             "RS" => format!("R1 := [ {} | not ]", self.looks(1)),
             "TON" | "TOF" | "TP" => {
@@ -226,9 +228,9 @@ var words : WORD[3] := [16#8001, 16#FFFF, 16#7FFE]"
             }
             "TS" | "TT" | "T1_0" | "T0_1" | "UC" | "DC" | "DRUM" => self.function(kind),
             "SHL" | "SHR" => {
-                let mut arguments = format!("REG := {}", self.pick(&["word", "words"]));
+                let mut arguments = format!("REG := {}", self.random.pick(&["word", "words"]));
                 for port in ["EN", "DATA"] {
-                    if !self.chance(3) {
+                    if !self.random.chance(3) {
                         write!(arguments, ", {port} := {}", self.looks(2)).unwrap();
                     }
                 }
@@ -246,13 +248,13 @@ var words : WORD[3] := [16#8001, 16#FFFF, 16#7FFE]"
             1 if kind != "DRUM" => "PV := fixed".to_owned(),
             _ => format!("PV := {constant}"),
         }];
-        if !self.chance(3) {
+        if !self.random.chance(3) {
             arguments.push(format!("EN := [ {} | {} ]", self.looks(1), self.looks(0)));
         }
         match kind {
             "DRUM" => arguments.push("TAPS := [1, 4, 2]".to_owned()),
             "TS" | "TT" => {
-                arguments.push(format!("MODE := {}", self.pick(&["ON", "OFF", "INTERVAL"])));
+                arguments.push(format!("MODE := {}", self.random.pick(&["ON", "OFF", "INTERVAL"])));
             }
             _ => {}
         }

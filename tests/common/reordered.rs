@@ -7,6 +7,8 @@ use hotrail::eval::Evaluator;
 use hotrail::expand;
 use hotrail::model::{Program, Role, VariableId};
 
+use super::dice::Dice;
+
 /// Scans of a program.
 pub const SCANS: usize = 100;
 
@@ -30,8 +32,8 @@ pub fn wrong_claim(before: &Program, after: &mut Program, seed: u64) -> Option<S
         for &input in &inputs {
             let ty = before.variables[input].ty;
             if random.u8(..3) == 0 {
-                let value = if random.bool() { random.i64(-3..4) } else { random.i64(..) };
-                runs.iter_mut().for_each(|run| run.drive(input, ty.wrap(value)));
+                let value = random.value(ty);
+                runs.iter_mut().for_each(|run| run.drive(input, value));
             }
             bits.push(ty.bits(runs[0].value(input)));
         }

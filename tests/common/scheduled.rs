@@ -8,6 +8,7 @@ use hotrail::eval::Evaluator;
 use hotrail::expand::{self, Schedule};
 use hotrail::model::{Program, Role, Variable, VariableId};
 
+use super::dice::Dice;
 use super::lockstep::inner_variables;
 
 const SCHEDULES: [Schedule; 2] = [Schedule::Levels, Schedule::Serial];
@@ -110,8 +111,7 @@ fn difference(
         for (&input, bits) in inputs.iter().zip(&mut start[2..]) {
             let ty = program.variables[input].ty;
             if random.u8(..3) == 0 {
-                let value = if random.bool() { random.i64(-3..4) } else { random.i64(..) };
-                evaluator.drive(input, ty.wrap(value));
+                evaluator.drive(input, random.value(ty));
             }
             *bits = ty.bits(evaluator.value(input));
         }

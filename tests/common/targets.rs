@@ -1,5 +1,5 @@
-//! What has to hold for every input whatever, for the short fuzzing of `cargo test` and the long one of
-//! `cargo fuzz`. All of it panics where it does not hold.
+//! What has to hold for every input whatever, for the short fuzzing of `cargo test` and the long
+//! one of `cargo fuzz`. All of it panics where it does not hold.
 
 use fastrand::Rng;
 use hotrail::backend::hdl::{self, Language};
@@ -44,6 +44,7 @@ fn format(source: &Source) {
 fn render(source: &Source, findings: &[Diagnostic]) {
     for finding in findings {
         assert!(!diagnostic::render(finding, source, false).is_empty());
+        assert!(!diagnostic::render_json(finding, source).is_empty());
         assert!(finding.primary.span.range().end <= source.text().len());
     }
 }
@@ -51,15 +52,16 @@ fn render(source: &Source, findings: &[Diagnostic]) {
 /// Reads bytes as an image in every form, and runs what can be run.
 pub fn image(bytes: &[u8]) {
     let text = String::from_utf8_lossy(bytes);
+    let sizes = processor::sizes(&text);
     for form in Form::ALL {
         for part in Part::ALL {
-            let Ok(memory) = part.read(form, bytes) else { continue };
-            let none = Rom::default();
+            let Ok(memory) = part.read(form, bytes, sizes) else { continue };
+            let none = Rom { sizes, ..Rom::default() };
             let [code, registers, bits] = Part::ALL.map(|part| none.memory(part));
             run(&match part {
-                Part::Code => Rom::of_memories(&memory, &registers, &bits, &text),
-                Part::Registers => Rom::of_memories(&code, &memory, &bits, &text),
-                Part::Bits => Rom::of_memories(&code, &registers, &memory, &text),
+                Part::Code => Rom::of_memories(&memory, &registers, &bits, sizes, &text),
+                Part::Registers => Rom::of_memories(&code, &memory, &bits, sizes, &text),
+                Part::Bits => Rom::of_memories(&code, &registers, &memory, sizes, &text),
             });
         }
     }

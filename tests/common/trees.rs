@@ -38,8 +38,9 @@ pub fn random_tree(random: &mut Rng, depth: u32, bridges: bool) -> Tree {
 /// differs from the tree.
 pub fn difference(tree: &Tree, random: &mut Rng) -> Option<String> {
     let mut rom = processor::Rom::default();
+    rom.sizes.stack_depth = [2, 3, 4, 4, 5, 8][random.usize(..6)];
     let mut flag = 512;
-    let fitted = processor::fit(tree, || {
+    let fitted = processor::fit(tree, rom.sizes.stack_depth, || {
         flag += 1;
         flag - 1
     });

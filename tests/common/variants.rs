@@ -9,9 +9,10 @@ use hotrail::eval::Evaluator;
 use hotrail::expand;
 use hotrail::model::{Program, Role, VariableId};
 use hotrail::source::Source;
-use hotrail::syntax::ast::{ArgumentValue, Element, ElementKind, File, Item, Rung, Series};
+use hotrail::syntax::ast::{Element, ElementKind, File, Item, Rung, Series};
 
 use super::analyze;
+use super::dice::Dice;
 
 /// What a new name begins with. No other program has such names.
 const NEW: &str = "changed_";
@@ -66,8 +67,8 @@ pub fn check(name: &str, text: &str, change: usize, seed: u64) -> Result<Option<
     }
 }
 
-/// Runs a program and one that shall mean the same, whose variables may bear new names, for that many
-/// scans on random inputs and ticks; says what differs.
+/// Runs a program and one that shall mean the same, whose variables may bear new names, for that
+/// many scans on random inputs and ticks; says what differs.
 fn difference(program: &Program, other: &Program, scans: usize, mut random: Rng) -> Option<String> {
     let pairs: Vec<(VariableId, VariableId)> = program
         .variables
@@ -88,7 +89,7 @@ fn difference(program: &Program, other: &Program, scans: usize, mut random: Rng)
         for &(input, twin) in pairs.iter().filter(is_input) {
             let ty = program.variables[input].ty;
             if random.u8(..3) == 0 {
-                let value = ty.wrap(if random.bool() { random.i64(-3..4) } else { random.i64(..) });
+                let value = random.value(ty);
                 before.drive(input, value);
                 after.drive(twin, value);
             }
@@ -158,11 +159,7 @@ impl<'f> Parts<'f> {
                     net.connections.iter().for_each(|part| self.walk(&part.network, true));
                 }
                 ElementKind::Call(call) => {
-                    for argument in &call.arguments {
-                        if let ArgumentValue::Network(network) = &argument.value {
-                            self.walk(network, in_net);
-                        }
-                    }
+                    call.networks().for_each(|network| self.walk(network, in_net));
                 }
                 _ => {}
             }

@@ -147,7 +147,7 @@ module conveyor_line (
   );
 
   // rung 5, conveyor_line.ladder:31
-  wire C1_next = filling_next & on_next & P2 & L3 & ~fault_1_reg;
+  wire C1_next = filling_next & P2 & L3 & ~fault_1_reg;
   conveyor_line_TONR_PT100 empty_2 (
     .clk(clk),
     .rst(rst),

@@ -209,7 +209,7 @@ begin
     );
 
   -- rung 5, conveyor_line.ladder:31
-  C1_next <= filling_next and on_next and P2 and L3 and not fault_1_reg;
+  C1_next <= filling_next and P2 and L3 and not fault_1_reg;
   empty_2: entity work.conveyor_line_TONR_PT100
     port map (
       clk => clk,

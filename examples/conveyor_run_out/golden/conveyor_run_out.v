@@ -82,9 +82,8 @@ module conveyor_run_out (
   // rung 3 "stop when the last product has left", conveyor_run_out.ladder:22
   wire track_Q;
   wire track_Q_last;
-  wire rung3_power = finishing_rung2 & track_Q_last;
-  wire ordered_rung3 = ordered_rung1 & ~rung3_power;
-  wire finishing_rung3 = finishing_rung2 & ~rung3_power;
+  wire ordered_rung3 = ordered_rung1 & ~(finishing_rung2 & track_Q_last);
+  wire finishing_rung3 = finishing_rung2 & ~track_Q_last;
 
   // rung 4 "emergency", conveyor_run_out.ladder:24
   wire ordered_next = ordered_rung3 & emergency;

@@ -98,7 +98,6 @@ architecture rtl of conveyor_run_out is
   signal finishing_rung2 : std_logic;
   signal track_Q : std_logic;
   signal track_Q_last : std_logic;
-  signal rung3_power : std_logic;
   signal ordered_rung3 : std_logic;
   signal finishing_rung3 : std_logic;
   signal ordered_next : std_logic;
@@ -116,9 +115,8 @@ begin
   finishing_rung2 <= (finish and ordered_rung1) or finishing_rung1;
 
   -- rung 3 "stop when the last product has left", conveyor_run_out.ladder:22
-  rung3_power <= finishing_rung2 and track_Q_last;
-  ordered_rung3 <= ordered_rung1 and not rung3_power;
-  finishing_rung3 <= finishing_rung2 and not rung3_power;
+  ordered_rung3 <= ordered_rung1 and not (finishing_rung2 and track_Q_last);
+  finishing_rung3 <= finishing_rung2 and not track_Q_last;
 
   -- rung 4 "emergency", conveyor_run_out.ladder:24
   ordered_next <= ordered_rung3 and emergency;

@@ -141,9 +141,9 @@ module traffic_actuated (
   );
 
   // rung 5, traffic_actuated.ladder:43
-  wire rung5_power = near_loop & ~near_loop_before & on_the_way_rung3;
+  wire rung5_power = near_loop & ~near_loop_before;
   wire on_the_way_next = on_the_way_rung3 & ~rung5_power;
-  wire backed_up_rung5 = rung5_power & slow_Q | backed_up;
+  wire backed_up_rung5 = rung5_power & on_the_way_rung3 & slow_Q | backed_up;
 
   // rung 6 "how long the interval lasts", traffic_actuated.ladder:45
   wire rung6_equal = interval == 4'd3;

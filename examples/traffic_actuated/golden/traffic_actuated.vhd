@@ -232,9 +232,9 @@ begin
     );
 
   -- rung 5, traffic_actuated.ladder:43
-  rung5_power <= near_loop and not near_loop_before and on_the_way_rung3;
+  rung5_power <= near_loop and not near_loop_before;
   on_the_way_next <= on_the_way_rung3 and not rung5_power;
-  backed_up_rung5 <= (rung5_power and slow_Q) or backed_up;
+  backed_up_rung5 <= (rung5_power and on_the_way_rung3 and slow_Q) or backed_up;
 
   -- rung 6 "how long the interval lasts", traffic_actuated.ladder:45
   rung6_equal <= '1' when interval = 3 else '0';

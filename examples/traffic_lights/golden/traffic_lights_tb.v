@@ -263,7 +263,7 @@ module traffic_lights_test (
   wire ew_yellow_next = t5_Q & rung1_power;
 
   // rung 8 "red whenever a lane has neither green nor yellow", traffic_lights.ladder:30
-  wire ns_red_next = rung1_power & ~ns_yellow_next;
+  wire ns_red_next = rung1_power & t2_Q;
 
   // rung 9, traffic_lights.ladder:32
   wire turn_red_next = ~turn_green_next & ~turn_yellow_next;

@@ -359,7 +359,7 @@ begin
   ew_yellow_next <= t5_Q and rung1_power;
 
   -- rung 8 "red whenever a lane has neither green nor yellow", traffic_lights.ladder:30
-  ns_red_next <= rung1_power and not ns_yellow_next;
+  ns_red_next <= rung1_power and t2_Q;
 
   -- rung 9, traffic_lights.ladder:32
   turn_red_next <= not turn_green_next and not turn_yellow_next;

@@ -1,15 +1,16 @@
-//! From the checked program to words: what the compiler keeps, and what it hands back. The rungs are
-//! in `rung`, the blocks in `call`.
+//! From the checked program to words: what the compiler keeps, and what it hands back. The rungs
+//! are in `rung`, the blocks in `call`.
 
 use std::collections::HashSet;
 
-use super::layout::{Layout, full};
+use super::layout::{Layout, full, no_room_help};
 use super::listing::{Symbols, listing};
 use super::power::Power;
 use super::rom::Rom;
+use super::sizes::Sizes;
 use super::tree::Tree;
 use super::usage;
-use super::word::{Address, CODE_WORDS, Operation, Prefix, Word};
+use super::word::{Address, Operation, Prefix, Word};
 use crate::backend::hdl::Harmless;
 use crate::diagnostic::{Diagnostic, code};
 use crate::model::{Program, Role, VariableId};
@@ -64,14 +65,26 @@ pub fn compile_observing(
     program: &Program,
     observed: &[VariableId],
 ) -> Result<Image, Vec<Diagnostic>> {
-    let layout = Layout::new(program).map_err(|diagnostic| vec![*diagnostic])?;
+    compile_for(program, observed, Sizes::default())
+}
+
+/// The same for a processor of these sizes.
+///
+/// # Errors
+/// Everything in it that the processor cannot do, in the order of the text.
+pub fn compile_for(
+    program: &Program,
+    observed: &[VariableId],
+    sizes: Sizes,
+) -> Result<Image, Vec<Diagnostic>> {
+    let layout = Layout::new(program, sizes).map_err(|diagnostic| vec![*diagnostic])?;
     let mut named = usage::named(program);
     named.extend(observed);
     let mut compiler = Compiler {
         program,
         named,
         layout,
-        rom: Rom { tick_ns: program.tick_ns, ..Rom::default() },
+        rom: Rom { tick_ns: program.tick_ns, sizes, ..Rom::default() },
         rungs: Vec::new(),
         rung: None,
         flags: Vec::new(),
@@ -124,18 +137,18 @@ impl Compiler<'_> {
         if let Some((first_scan, _)) = self.program.with_role(Role::FirstScan).next() {
             let coil = self.layout.bit(first_scan).expect("it is a BOOL");
             self.circuit(&Tree::constant(false)).ok();
-            self.word(Word::Output { operation: Operation::Coil, coil });
+            self.operation(Operation::Coil, coil);
         }
         self.word(Word::END);
-        if self.rom.code.len() > CODE_WORDS && self.findings.is_empty() {
-            let rung = self.rungs[CODE_WORDS].or_else(|| self.program.rungs.len().checked_sub(1));
+        let has = self.rom.sizes.code_words;
+        if self.rom.code.len() > has && self.findings.is_empty() {
+            let rung = self.rungs[has].or_else(|| self.program.rungs.len().checked_sub(1));
             let span = rung.map_or(Span::default(), |rung| self.program.rungs[rung].span);
             let need = self.rom.code.len();
-            let message =
-                format!("the program needs {need} words, the ladder processor has {CODE_WORDS}");
+            let message = format!("the program needs {need} words, the ladder processor has {has}");
             let found = full(span, message)
                 .label("from here on there is no room")
-                .help("build it with --emit verilog or vhdl, or make two programs of it");
+                .help(no_room_help(self.rom.sizes));
             self.findings.push(found);
         }
         assert!(!self.failed || !self.findings.is_empty(), "a rung is given up with a word on why");
@@ -178,14 +191,20 @@ impl Compiler<'_> {
 
     /// Reports something that the processor cannot do.
     pub(super) fn cannot(&mut self, span: Span, what: &str, label: impl Into<String>) -> Reported {
-        let finding = Diagnostic::new(
-            code::NOT_ON_PROCESSOR,
-            span,
-            format!("the ladder processor cannot do {what}"),
-        )
-        .label(label)
-        .help("build it with --emit verilog or vhdl, which can");
-        self.report(finding)
+        self.refuse(span, what, label, "build it with --emit verilog or vhdl, which can")
+    }
+
+    /// The same where something else can be written instead.
+    pub(super) fn refuse(
+        &mut self,
+        span: Span,
+        what: &str,
+        label: impl Into<String>,
+        help: &str,
+    ) -> Reported {
+        let message = format!("the ladder processor cannot do {what}");
+        let finding = Diagnostic::new(code::NOT_ON_PROCESSOR, span, message);
+        self.report(finding.label(label).help(help))
     }
 
     /// A flag of this rung.

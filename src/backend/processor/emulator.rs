@@ -2,9 +2,7 @@
 
 use super::function::{self, Functions};
 use super::rom::{Fault, Rom};
-use super::word::{
-    Address, Attribute, FIRST_OUTPUT, IMAGE_BITS, ONE, Operation, Prefix, STACK_DEPTH, Word,
-};
+use super::word::{Address, Attribute, FIRST_OUTPUT, IMAGE_BITS, ONE, Operation, Prefix, Word};
 
 /// Clocks of a scan besides one for each word, each input and each output: one to sample, two
 /// until the first word is there, one behind the last output, one to show them.
@@ -68,10 +66,10 @@ impl PowerCircuit {
         if attribute.pushes_left() {
             // Where the list above joins at this contact, its power comes back through it.
             let back = branch.is_some_and(|branch| conducts && branch);
-            push(&mut self.stack1, left || back);
+            self.stack1.push(left || back);
         }
         if attribute.ret {
-            push(&mut self.stack2, right);
+            self.stack2.push(right);
             right = if attribute.pops_left() { pop(&mut self.stack1) } else { left };
         }
         self.pwra = right;
@@ -81,11 +79,6 @@ impl PowerCircuit {
 /// The image was checked before it runs.
 fn pop(stack: &mut Vec<bool>) -> bool {
     stack.pop().expect("the image takes no more than was put")
-}
-
-fn push(stack: &mut Vec<bool>, power: bool) {
-    stack.push(power);
-    assert!(stack.len() <= STACK_DEPTH, "the image puts no more than fits");
 }
 
 impl<'r> Machine<'r> {
@@ -186,6 +179,8 @@ impl<'r> Machine<'r> {
             Word::Contact { negated, attribute, address } => {
                 let conducts = self.bit(address) != negated;
                 self.power.contact(attribute, conducts);
+                let held = self.power.stack1.len().max(self.power.stack2.len());
+                assert!(held <= self.rom.sizes.stack_depth, "the image puts no more than fits");
             }
             Word::Output { operation, coil } => {
                 self.power.ended = true;

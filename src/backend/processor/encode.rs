@@ -1,7 +1,7 @@
 //! From contacts to words: each contact in its place, with the links at its ends.
 
 use super::tree::{Bridge, Contact, Tree};
-use super::word::{Address, Attribute, STACK_DEPTH, Word};
+use super::word::{Address, Attribute, Word};
 
 /// Words of a circuit, and what had to be put into flags before it.
 #[derive(Debug, Default)]
@@ -12,34 +12,39 @@ pub struct Fitted {
     pub words: Vec<Word>,
 }
 
-/// The words of a tree that the two stacks can hold. The branches of its lists keep their order
+/// How many levels of lists are tried in both orders.
+const LEVELS_TRIED: usize = 10;
+
+/// The words of a tree that two stacks of so many bits can hold. The branches of its lists keep their order
 /// where that fits; else the deepest go to the ends of their lists; else inner lists go into
 /// flags, which `new_flag` gives.
-pub fn fit(tree: &Tree, mut new_flag: impl FnMut() -> Address) -> Fitted {
+pub fn fit(tree: &Tree, depth: usize, mut new_flag: impl FnMut() -> Address) -> Fitted {
     let mut fitted = Fitted::default();
     let mut tree = tree.clone();
     loop {
-        if let Some(words) = fitting(&tree) {
+        if let Some(words) = fitting(&tree, depth) {
             fitted.words = words;
             return fitted;
         }
         let flag = new_flag();
-        let inner = take_inner(&mut tree, flag).expect("what does not fit has inner lists");
-        let words = fitting(&inner).expect("a list of this height always fits");
+        let inner = take_inner(&mut tree, depth, flag).expect("what does not fit has inner lists");
+        let words = fitting(&inner, depth).expect("a list of this height always fits");
         fitted.before.push((words, flag));
     }
 }
 
 /// The words in some order of branches that fits, if there is one.
-fn fitting(tree: &Tree) -> Option<Vec<Word>> {
+fn fitting(tree: &Tree, depth: usize) -> Option<Vec<Word>> {
     let words = encode(tree);
-    if fits(&words) {
+    if fits(&words, depth) {
         return Some(words);
     }
-    // A list costs stack 1 in its first branch and stack 2 in its last, so eight levels is all
-    // that both can hold.
-    let levels = tree.height().min(2 * STACK_DEPTH);
-    (0..1_u32 << levels).map(|ends| encode(&ordered(tree, ends, 0))).find(|words| fits(words))
+    // A list costs stack 1 in its first branch and stack 2 in its last, so twice as many levels is
+    // all that both can hold.
+    let levels = tree.height().min(2 * depth).min(LEVELS_TRIED);
+    (0..1_u32 << levels)
+        .map(|ends| encode(&ordered(tree, ends, 0)))
+        .find(|words| fits(words, depth))
 }
 
 /// The same with the deepest branch of each list at one of its ends, by a bit for each level, and
@@ -80,7 +85,7 @@ fn ordered(tree: &Tree, ends: u32, level: u32) -> Tree {
 
 /// Puts a contact on a flag in the place of an inner list or bridge, the first of half the height
 /// that always fits, and returns that.
-fn take_inner(tree: &mut Tree, flag: Address) -> Option<Tree> {
+fn take_inner(tree: &mut Tree, depth: usize, flag: Address) -> Option<Tree> {
     let inner: Vec<&mut Tree> = match tree {
         Tree::Contact(_) => return None,
         Tree::Series(parts) | Tree::Parallel(parts) => parts.iter_mut().collect(),
@@ -92,10 +97,10 @@ fn take_inner(tree: &mut Tree, flag: Address) -> Option<Tree> {
     let mut inner: Vec<&mut Tree> = inner.into_iter().filter(|part| part.height() > 0).collect();
     inner.sort_by_key(|part| std::cmp::Reverse(part.height()));
     let deepest = inner.into_iter().next()?;
-    if deepest.height() <= STACK_DEPTH && !matches!(deepest, Tree::Series(_)) {
+    if deepest.height() <= depth && !matches!(deepest, Tree::Series(_)) {
         return Some(std::mem::replace(deepest, Tree::on(flag)));
     }
-    take_inner(deepest, flag)
+    take_inner(deepest, depth, flag)
 }
 
 /// The words of a tree, whatever the stacks hold.
@@ -150,13 +155,13 @@ fn part(tree: &Tree, owed: Attribute, words: &mut Vec<Word>) {
 }
 
 /// True if neither stack has to hold more than it can.
-fn fits(words: &[Word]) -> bool {
+fn fits(words: &[Word], depth: usize) -> bool {
     let (mut left, mut results) = (0_usize, 0_usize);
     for word in words {
         let Word::Contact { attribute, .. } = word else { continue };
         left = left + usize::from(attribute.pushes_left()) - usize::from(attribute.pops_left());
         results = results + usize::from(attribute.ret) - usize::from(attribute.up);
-        if left > STACK_DEPTH || results > STACK_DEPTH {
+        if left > depth || results > depth {
             return false;
         }
     }

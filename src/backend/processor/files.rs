@@ -1,10 +1,11 @@
 //! The files of an image: code, registers and bits at reset, in each form, and back.
 
+use std::fmt::Write;
+
 use super::memory::{Form, Memory, Unreadable};
 use super::rom::{Pins, Rom};
-use super::word::{
-    Address, CODE_WORDS, FIRST_FLAG, FIRST_OUTPUT, IMAGE_BITS, ONE, REGISTERS, Word,
-};
+use super::sizes::Sizes;
+use super::word::{Address, FIRST_FLAG, FIRST_OUTPUT, ONE, Word};
 
 /// One of the processor's memories.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,59 +35,93 @@ impl Part {
         if self == Part::Bits { 1 } else { 16 }
     }
 
-    fn depth(self) -> usize {
+    fn depth(self, sizes: Sizes) -> usize {
         match self {
-            Part::Code => CODE_WORDS,
-            Part::Registers => REGISTERS,
-            Part::Bits => IMAGE_BITS,
+            Part::Code => sizes.code_words,
+            Part::Registers => sizes.register_places(),
+            Part::Bits => sizes.bit_places(),
         }
     }
 
-    /// Reads a file of this memory.
+    /// Reads a file of this memory in a processor of these sizes.
     ///
     /// # Errors
     /// Where it does not follow its form or does not fit the memory.
-    pub fn read(self, form: Form, bytes: &[u8]) -> Result<Memory, Unreadable> {
-        Memory::read(form, bytes, self.width(), self.depth())
+    pub fn read(self, form: Form, bytes: &[u8], sizes: Sizes) -> Result<Memory, Unreadable> {
+        Memory::read(form, bytes, self.width(), self.depth(sizes))
     }
 }
 
-/// What the processor is built with for an image: a line for people that is read back.
+/// What the processor is built with for an image: a line for people that is read back. Sizes stand
+/// there where they are not the default.
 pub fn parameters(rom: &Rom) -> String {
     let Pins { inputs, outputs } = rom.pins;
-    format!("ladder processor: INPUTS {inputs}, OUTPUTS {outputs}, TICK_NS {}", rom.tick_ns)
+    let mut line =
+        format!("ladder processor: INPUTS {inputs}, OUTPUTS {outputs}, TICK_NS {}", rom.tick_ns);
+    for ((name, size), (_, usual)) in rom.sizes.named().into_iter().zip(Sizes::default().named()) {
+        if size != usual {
+            write!(line, ", {name} {size}").expect("fits");
+        }
+    }
+    line
+}
+
+/// A number of the line [`parameters`] in a text, by its name.
+fn parameter(text: &str, name: &str) -> Option<u64> {
+    let behind = text.split("ladder processor: ").nth(1)?.lines().next()?;
+    let word = behind.split(name).nth(1)?.trim_start();
+    word.split(|c: char| !c.is_ascii_digit()).next()?.parse().ok()
+}
+
+/// The sizes in the line [`parameters`] of a text; those of the papers where it has none.
+pub fn sizes(text: &str) -> Sizes {
+    let mut sizes = Sizes::default();
+    for (name, _) in Sizes::default().named() {
+        let size = parameter(text, name).and_then(|size| usize::try_from(size).ok());
+        // Nobody writes such a line by hand: one that cannot be true says nothing.
+        if let Some(size) = size {
+            let _ = sizes.set(name, size);
+        }
+    }
+    sizes
 }
 
 impl Rom {
     /// What a memory holds at reset.
     pub fn memory(&self, part: Part) -> Memory {
-        let mut memory = Memory::new(part.width(), part.depth());
+        let sizes = self.sizes;
+        let mut memory = Memory::new(part.width(), part.depth(sizes));
         match part {
             Part::Code => memory.words.extend(self.code.iter().copied().enumerate()),
             Part::Registers => {
-                memory.words.extend(self.registers.iter().map(|(&at, &value)| (at.into(), value)));
+                let place = |at: &u16| sizes.place_of_register(*at);
+                memory.words.extend(self.registers.iter().map(|(at, &value)| (place(at), value)));
             }
             Part::Bits => {
-                memory.words.extend(self.image.iter().chain([&ONE]).map(|&at| (at.into(), 1)));
+                let bits = self.image.iter().chain([&ONE]);
+                memory.words.extend(bits.map(|&at| (sizes.place_of_bit(at), 1)));
             }
         }
         memory
     }
 
-    /// The image of these memories. Pins and tick are taken from a comment of the code's file
-    /// where [`parameters`] stands there; else the pins are those that the words name, and a tick
-    /// is 1 ms.
-    pub fn of_memories(code: &Memory, registers: &Memory, bits: &Memory, text: &str) -> Rom {
+    /// The image of these memories of a processor of these sizes. Pins and tick are taken from a
+    /// comment of the code's file where [`parameters`] stands there; else the pins are those that
+    /// the words name, and a tick is 1 ms.
+    pub fn of_memories(
+        code: &Memory,
+        registers: &Memory,
+        bits: &Memory,
+        sizes: Sizes,
+        text: &str,
+    ) -> Rom {
         let code = code.dense();
-        let filled = |memory: &Memory| -> Vec<(u16, u16)> {
+        let filled = |memory: &Memory| -> Vec<(usize, u16)> {
             let some = memory.words.iter().filter(|(_, word)| **word != 0);
-            some.map(|(at, word)| (*at as u16, *word)).collect()
+            some.map(|(at, word)| (*at, *word)).collect()
         };
-        let number = |name: &str| -> Option<u64> {
-            let behind = text.split("ladder processor: ").nth(1)?.lines().next()?;
-            let word = behind.split(name).nth(1)?.trim_start();
-            word.split(|c: char| !c.is_ascii_digit()).next()?.parse().ok()
-        };
+        let register = |(at, word)| (sizes.register_at(at), word);
+        let number = |name: &str| parameter(text, name);
         let named = pins(&code);
         let pin = |name, otherwise: u16| {
             number(name)
@@ -100,9 +135,14 @@ impl Rom {
                 outputs: pin("OUTPUTS", named.outputs),
             },
             tick_ns: number("TICK_NS").unwrap_or(1_000_000),
-            registers: filled(registers).into_iter().collect(),
-            image: filled(bits).into_iter().map(|(at, _)| at).filter(|at| *at != ONE).collect(),
+            registers: filled(registers).into_iter().map(register).collect(),
+            image: filled(bits)
+                .into_iter()
+                .map(|(at, _)| sizes.bit_at(at))
+                .filter(|at| *at != ONE)
+                .collect(),
             code,
+            sizes,
         }
     }
 }

@@ -2,8 +2,7 @@
 
 use super::rom::Rom;
 use super::word::{
-    DRUMS, FIRST_COUNT, FIRST_DRUM, FIRST_FREE, Operation, Prefix, REGISTERS, SHIFTS, TimerType,
-    UNITS,
+    DRUMS, FIRST_COUNT, FIRST_DRUM, Operation, Prefix, REGISTERS, SHIFTS, TimerType, UNITS,
 };
 
 /// The largest preset and count of a timer or counter.
@@ -303,10 +302,4 @@ pub(super) fn clocks(operation: Operation, number: u16) -> u64 {
         | Operation::Inverted
         | Operation::End => 0,
     }
-}
-
-/// The registers that the hardware uses for nothing of its own, above the counts: for words that a
-/// program changes.
-pub(super) fn free_registers() -> std::ops::Range<u16> {
-    FIRST_FREE..REGISTERS as u16
 }

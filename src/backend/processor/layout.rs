@@ -2,10 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use super::function::free_registers;
 use super::rom::{Pins, region};
+use super::sizes::{FIRST_OF_HALF, Sizes};
 use super::word::{
-    Address, DRUMS, FIRST_COUNT, FIRST_FLAG, FIRST_OUTPUT, ONE, REGISTERS, SHIFTS, UNITS,
+    Address, DRUMS, FIRST_COUNT, FIRST_DRUM, FIRST_FLAG, FIRST_FREE, FIRST_OUTPUT, ONE, REGISTERS,
+    SHIFTS, UNITS,
 };
 use crate::diagnostic::{Diagnostic, code};
 use crate::index::index;
@@ -17,6 +18,7 @@ use crate::types::Type;
 /// they stay where they are from build to build.
 #[derive(Clone, Debug)]
 pub struct Layout {
+    sizes: Sizes,
     /// The bit of each variable that has one.
     bits: Vec<Option<Address>>,
     /// The first register of each variable that has one.
@@ -48,14 +50,15 @@ impl Layout {
     ///
     /// # Errors
     /// More of them than there are addresses.
-    pub fn new(program: &Program) -> Result<Layout, Box<Diagnostic>> {
+    pub fn new(program: &Program, sizes: Sizes) -> Result<Layout, Box<Diagnostic>> {
         let mut layout = Layout {
+            sizes,
             bits: vec![None; program.variables.len()],
             registers: vec![None; program.variables.len()],
             bit_names: BTreeMap::from([(ONE, "TRUE".to_owned())]),
             register_names: BTreeMap::new(),
             next_preset: 0,
-            next_word: free_registers().start,
+            next_word: FIRST_FREE,
             next_timer: 0,
             next_drum: 0,
             next_shift: 0,
@@ -63,6 +66,14 @@ impl Layout {
         let bits = || program.variables.iter().filter(|(_, variable)| variable.ty == Type::Bool);
         for (id, variable) in bits() {
             if let Some(address) = variable.address {
+                if !sizes.has_bit(address) {
+                    let message =
+                        format!("the ladder processor has no {} {address}", region(address));
+                    return Err(full(variable.span, message)
+                        .label(format!("its image has {} bits", sizes.image_bits))
+                        .help("leave `at` out, or build a processor with a larger IMAGE_BITS")
+                        .into());
+                }
                 layout.take(id, address, &variable.name);
             }
         }
@@ -93,9 +104,9 @@ impl Layout {
         span: Span,
     ) -> Result<Address, Box<Diagnostic>> {
         let end = match first {
-            0 => FIRST_OUTPUT,
-            FIRST_OUTPUT => FIRST_FLAG,
-            _ => ONE,
+            0 => self.sizes.pins(),
+            FIRST_OUTPUT => FIRST_OUTPUT + self.sizes.pins(),
+            _ => FIRST_FLAG + 2 * self.sizes.pins() - 1,
         };
         let is_free = |address: &Address| {
             (*address..address + count).all(|bit| !self.bit_names.contains_key(&bit))
@@ -104,7 +115,7 @@ impl Layout {
             let what = region(first);
             full(span, format!("the ladder processor has {} {what}s", end - first))
                 .label(format!("no {what} is left for this"))
-                .help("build it with --emit verilog or vhdl, or make two programs of it")
+                .help(no_room_help(self.sizes))
                 .into()
         })
     }
@@ -143,8 +154,9 @@ impl Layout {
     pub fn presets(&mut self, names: &[String], span: Span) -> Result<u16, Box<Diagnostic>> {
         let first = self.next_preset;
         self.next_preset += names.len() as u16;
-        if self.next_preset > FIRST_COUNT {
-            let message = format!("the ladder processor has {FIRST_COUNT} registers for presets");
+        let most = self.sizes.quarter_of_registers();
+        if usize::from(self.next_preset) > most {
+            let message = format!("the ladder processor has {most} registers for presets");
             return Err(full(span, message)
                 .label("no register is left for this")
                 .help("build it with --emit verilog or vhdl")
@@ -158,17 +170,25 @@ impl Layout {
 
     /// Registers for words that the program changes.
     pub fn words(&mut self, names: &[String], span: Span) -> Result<u16, Box<Diagnostic>> {
-        let first = self.next_word;
-        let end = usize::from(first) + names.len();
-        if end > REGISTERS {
-            let count = free_registers().count();
+        let many = names.len();
+        let holds = |first: &u16| {
+            let last = u16::try_from(usize::from(*first) + many - 1);
+            last.is_ok_and(|last| self.sizes.has_registers(*first, last))
+        };
+        // Where the second quarter is smaller, words that do not fit there follow in the half.
+        let Some(first) =
+            [self.next_word, self.next_word.max(FIRST_OF_HALF)].into_iter().find(holds)
+        else {
+            let count = (FIRST_FREE..REGISTERS as u16)
+                .filter(|register| self.sizes.has_register(*register))
+                .count();
             let message = format!("the ladder processor has {count} registers for words");
             return Err(full(span, message)
                 .label("no register is left for this")
                 .help("build it with --emit verilog or vhdl")
                 .into());
-        }
-        self.next_word = end as u16;
+        };
+        self.next_word = first + many as u16;
         for (register, name) in (first..).zip(names) {
             self.register_names.insert(register, name.clone());
         }
@@ -182,15 +202,22 @@ impl Layout {
 
     /// A unit of its own for a function.
     pub fn unit(&mut self, class: UnitClass, span: Span) -> Result<u16, Box<Diagnostic>> {
+        let sizes = self.sizes;
+        // Each has a register for its count.
+        let counts = |first: u16, most: u16| {
+            (first..first + most).filter(|count| sizes.has_register(*count)).count() as u16
+        };
         let (next, count, what) = match class {
-            UnitClass::Timer => (&mut self.next_timer, UNITS, "timers and counters"),
-            UnitClass::Drum => (&mut self.next_drum, DRUMS, "drums"),
+            UnitClass::Timer => {
+                (&mut self.next_timer, counts(FIRST_COUNT, UNITS), "timers and counters")
+            }
+            UnitClass::Drum => (&mut self.next_drum, counts(FIRST_DRUM, DRUMS), "drums"),
             UnitClass::Shift => (&mut self.next_shift, SHIFTS, "shift functions"),
         };
         if *next == count {
             return Err(full(span, format!("the ladder processor has {count} {what}"))
                 .label("one more")
-                .help("build it with --emit verilog or vhdl, or make two programs of it")
+                .help(no_room_help(sizes))
                 .into());
         }
         *next += 1;
@@ -209,4 +236,13 @@ impl Layout {
 /// A finding about a limit of the processor.
 pub(super) fn full(span: Span, message: String) -> Diagnostic {
     Diagnostic::new(code::PROCESSOR_FULL, span, message)
+}
+
+/// What to do where a processor of these sizes is full.
+pub(super) fn no_room_help(sizes: Sizes) -> &'static str {
+    if sizes == Sizes::default() {
+        "build it with --emit verilog or vhdl, or make two programs of it"
+    } else {
+        "give the processor more with --processor, or build it with --emit verilog or vhdl"
+    }
 }

@@ -1,14 +1,13 @@
 //! An image as a table for people, and as the ladder that it came from.
 
+use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use super::decode::decode;
 use super::emulator::clocks_of_scan;
 use super::rom::{Rom, region};
 use super::tree::{Contact, Tree};
-use super::word::{
-    Address, CODE_WORDS, FIRST_FLAG, FIRST_OUTPUT, ONE, Operation, Prefix, TimerType, Word,
-};
+use super::word::{Address, FIRST_FLAG, FIRST_OUTPUT, ONE, Operation, Prefix, TimerType, Word};
 use crate::quantity;
 
 /// What a listing says besides the words.
@@ -28,11 +27,13 @@ pub fn listing(rom: &Rom, symbols: &Symbols<'_>) -> String {
     let (inputs, outputs) = (rom.pins.inputs, rom.pins.outputs);
     writeln!(
         text,
-        "{words} of {CODE_WORDS} words, {inputs} inputs, {outputs} outputs, a tick of {}",
+        "{words} of {} words, {inputs} inputs, {outputs} outputs, a tick of {}",
+        rom.sizes.code_words,
         quantity::time_text(rom.tick_ns.into())
     )
     .expect("fits");
-    writeln!(text, "{} clocks a scan\n", clocks_of_scan(rom)).expect("fits");
+    writeln!(text, "{} clocks a scan", clocks_of_scan(rom)).expect("fits");
+    writeln!(text, "at least {}\n", needs(rom)).expect("fits");
     writeln!(text, "addr  word  what       attribute            at").expect("fits");
     for (at, &bits) in rom.code.iter().enumerate() {
         if let Some(heading) = (symbols.heading)(at) {
@@ -57,6 +58,24 @@ pub fn listing(rom: &Rom, symbols: &Symbols<'_>) -> String {
     }
     contents(rom, symbols, &mut text);
     text
+}
+
+/// The parameters of the smallest hardware that can run it.
+fn needs(rom: &Rom) -> String {
+    let operations = rom.code.iter().filter_map(|&bits| match Word::decode(bits) {
+        Ok(Word::Output { operation, .. }) => operation.parameter(),
+        _ => None,
+    });
+    let functions: BTreeSet<&str> = operations.collect();
+    let named = rom.needs().named().into_iter();
+    // Without functions there is no register array.
+    let sizes = named.filter(|(name, _)| *name != "REGISTERS" || !functions.is_empty());
+    let mut parts: Vec<String> = sizes.map(|(name, size)| format!("{name} {size}")).collect();
+    parts.push(match functions.is_empty() {
+        true => "no functions".to_owned(),
+        false => functions.into_iter().collect::<Vec<_>>().join(", "),
+    });
+    parts.join(", ")
 }
 
 /// What a word is, its attribute, and its address or number.
@@ -108,7 +127,7 @@ fn contents(rom: &Rom, symbols: &Symbols<'_>, text: &mut String) {
 /// # Errors
 /// The address of the first word that is not drawn.
 pub fn ladder(rom: &Rom, name: &str) -> Result<String, usize> {
-    let mut used = std::collections::BTreeSet::new();
+    let mut used = BTreeSet::new();
     let mut rungs = String::new();
     let mut circuit: Vec<Word> = Vec::new();
     let mut outputs: Vec<String> = Vec::new();
@@ -159,16 +178,20 @@ pub fn ladder(rom: &Rom, name: &str) -> Result<String, usize> {
         writeln!(text, "tick {}", quantity::time_text(rom.tick_ns.into())).expect("fits");
     }
     text.push('\n');
-    for &address in used.iter().filter(|&&address| address != ONE) {
-        let kind = match address {
-            FIRST_FLAG.. => "var",
-            FIRST_OUTPUT.. => "output",
-            _ => "input",
-        };
-        let initial = if rom.image.contains(&address) { " := 1" } else { "" };
-        writeln!(text, "{kind:<6} {} at {address}{initial}", bit_name(address)).expect("fits");
-    }
+    text.extend(used.iter().map(|&address| declaration(rom, address)));
     Ok(text + "\n" + &rungs)
+}
+
+/// The line that declares a bit; none for the one that is always on.
+fn declaration(rom: &Rom, address: Address) -> String {
+    let kind = match address {
+        ONE => return String::new(),
+        FIRST_FLAG.. => "var",
+        FIRST_OUTPUT.. => "output",
+        _ => "input",
+    };
+    let initial = if rom.image.contains(&address) { " := 1" } else { "" };
+    format!("{kind:<6} {} at {address}{initial}\n", bit_name(address))
 }
 
 fn bit_name(address: Address) -> String {

@@ -20,21 +20,23 @@ mod reset;
 mod rom;
 mod rung;
 mod runner;
+mod sizes;
 mod tree;
 mod usage;
 mod word;
 
-pub use compile::{Image, compile, compile_observing};
+pub use compile::{Image, compile, compile_for, compile_observing};
 pub use decode::decode;
 pub use emulator::{CLOCKS_AROUND, Machine, PowerCircuit, clocks_of_scan};
 pub use encode::{Fitted, encode, fit};
-pub use files::{Part, parameters};
+pub use files::{Part, parameters, sizes};
 pub use layout::Layout;
 pub use listing::{Symbols, ladder, listing};
 pub use memory::{Form, Memory, Unreadable};
 pub use record::{record, records_of, vouches};
 pub use rom::{Fault, FaultKind, Pins, Rom, region};
 pub use runner::Runner;
+pub use sizes::Sizes;
 pub use tree::{Bridge, Contact, Tree};
 pub use word::{
     Address, Attribute, FIRST_FLAG, FIRST_OUTPUT, Illegal, ONE, Operation, Prefix, TimerType, Word,

@@ -7,7 +7,7 @@
 use super::compile::{Compiler, Done};
 use super::encode::fit;
 use super::tree::{Contact, Tree};
-use super::word::{Address, ONE, Operation, Word};
+use super::word::{Address, ONE, Operation};
 
 /// The power at a place of a rung.
 pub(super) enum Power {
@@ -21,7 +21,7 @@ impl Compiler<'_> {
     /// Works a power out, so that it is in hand.
     pub(super) fn circuit(&mut self, tree: &Tree) -> Done<()> {
         let mut full = None;
-        let fitted = fit(tree, || {
+        let fitted = fit(tree, self.rom.sizes.stack_depth, || {
             self.flag().unwrap_or_else(|reported| {
                 full = Some(reported);
                 0
@@ -32,7 +32,7 @@ impl Compiler<'_> {
         }
         for (words, flag) in fitted.before {
             words.into_iter().for_each(|word| self.word(word));
-            self.word(Word::Output { operation: Operation::Coil, coil: flag });
+            self.operation(Operation::Coil, flag);
         }
         fitted.words.into_iter().for_each(|word| self.word(word));
         Ok(())
@@ -41,7 +41,7 @@ impl Compiler<'_> {
     /// Works a power out and writes an output with it.
     pub(super) fn output(&mut self, tree: &Tree, operation: Operation, coil: Address) -> Done<()> {
         self.circuit(tree)?;
-        self.word(Word::Output { operation, coil });
+        self.operation(operation, coil);
         Ok(())
     }
 
@@ -67,7 +67,7 @@ impl Compiler<'_> {
             Power::InHand(Some(contact)) => Ok(Tree::Contact(contact)),
             Power::InHand(None) => {
                 let coil = self.flag()?;
-                self.word(Word::Output { operation: Operation::Coil, coil });
+                self.operation(Operation::Coil, coil);
                 Ok(Tree::on(coil))
             }
         }
@@ -100,6 +100,7 @@ impl Compiler<'_> {
             _ => same,
         }))
     }
+
     /// Works the power out where it is only drawn.
     pub(super) fn in_hand(&mut self, power: Power) -> Done<Power> {
         self.worked_out(power).map(Power::InHand)

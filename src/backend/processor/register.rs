@@ -5,8 +5,8 @@ use super::compile::{Compiler, Done};
 use super::layout::UnitClass;
 use super::power::Power;
 use super::tree::{Contact, Tree};
-use super::word::{Address, Operation, Prefix, TimerType};
-use crate::model::{Base, Call, CoilAction, Place, Variable, VariableId};
+use super::word::{Address, ONE, Operation, Prefix, TimerType};
+use crate::model::{Base, Call, CoilAction, Expr, Place, Variable, VariableId};
 use crate::source::Span;
 
 impl Compiler<'_> {
@@ -19,7 +19,8 @@ impl Compiler<'_> {
         let Variable { name, ty, .. } = &program.variables[variable];
         if ty.width() != 16 {
             let label = format!("`{name}` is {ty}");
-            return Err(self.cannot(span, "registers that are not 16 bits wide", label));
+            let help = "declare it as WORD, INT or UINT, or build it with --emit verilog or vhdl";
+            return Err(self.refuse(span, "registers that are not 16 bits wide", label, help));
         }
         // A shift may want the elements of an array one behind the other.
         let words: Vec<VariableId> = match program.array_of(variable) {
@@ -93,7 +94,9 @@ impl Compiler<'_> {
     ) -> Done<()> {
         let (Base::Variable(variable), Some(bit)) = (&place.base, place.bit) else {
             let label = "the index is known only while the program runs";
-            return Err(self.cannot(span, "an element with such an index", label));
+            let help =
+                "choose the element with a constant, or build it with --emit verilog or vhdl";
+            return Err(self.refuse(span, "an element with such an index", label, help));
         };
         let register = self.number(*variable, span)?;
         self.circuit(power)?;
@@ -101,6 +104,35 @@ impl Compiler<'_> {
         self.prefix(Prefix::Number(bit as u16));
         self.operation(operation, coil);
         Ok(())
+    }
+
+    /// Writes a bit of a register where there is power, and passes the power on. What is looked at
+    /// here stands in the image, so neither write changes it.
+    pub(super) fn assign_bit(
+        &mut self,
+        place: &Place,
+        value: &Expr,
+        span: Span,
+        power: Power,
+    ) -> Done<Power> {
+        let mut left = self.drawn(power)?;
+        let value = self.condition(value, span)?;
+        if !left.is_wire() {
+            left = Tree::Contact(self.single(Power::Drawn(left))?);
+        }
+        let value = self.single(Power::Drawn(value))?;
+        let spare = self.flag()?;
+        for (contact, operation) in
+            [(value, Operation::BitSet), (opposite(value), Operation::BitClear)]
+        {
+            let tree = match contact {
+                Contact { address: ONE, negated: true } => continue,
+                Contact { address: ONE, negated: false } => left.clone(),
+                contact => Tree::series([left.clone(), Tree::Contact(contact)]),
+            };
+            self.register_bit(&tree, operation, place, spare, span)?;
+        }
+        Ok(Power::Drawn(left))
     }
 
     /// A coil on a bit of a register.

@@ -3,9 +3,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
+use super::sizes::Sizes;
 use super::word::{
-    Address, CODE_WORDS, DRUMS, FIRST_FLAG, FIRST_OUTPUT, Illegal, ONE, Operation, Prefix,
-    REGISTERS, SHIFTS, STACK_DEPTH, TAPS, UNITS, Word,
+    Address, DRUMS, FIRST_COUNT, FIRST_DRUM, FIRST_FLAG, FIRST_OUTPUT, Illegal, ONE, Operation,
+    Prefix, REGISTERS, SHIFTS, TAPS, UNITS, Word,
 };
 
 /// The contents of the memories at reset.
@@ -22,6 +23,8 @@ pub struct Rom {
     pub pins: Pins,
     /// The length of a tick in nanoseconds, from which the units of the timers are made.
     pub tick_ns: u64,
+    /// What the processor holds that is to run it.
+    pub sizes: Sizes,
 }
 
 /// How many bits go in and out in each scan.
@@ -47,8 +50,8 @@ pub struct Fault {
 pub enum FaultKind {
     /// A word without a meaning.
     Illegal(Illegal),
-    /// More bits than stack 1 or 2 holds.
-    Overflow(u8),
+    /// More bits than stack 1 or 2 holds, and how many it does.
+    Overflow(u8, usize),
     /// A bit is taken from stack 1 or 2 and none is there.
     Underflow(u8),
     /// The constant 1 or an input is written.
@@ -65,16 +68,20 @@ pub enum FaultKind {
     NoEnd,
     /// Words follow the end of the scan.
     AfterEnd,
-    /// More words than the code memory has.
-    TooLong,
+    /// More words than the code memory has, and how many it has.
+    TooLong(usize),
+    /// The image is too small to have this bit.
+    NoBit(Address),
+    /// The register array is too small to have this register.
+    NoRegister(u16),
 }
 
 impl fmt::Display for FaultKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             FaultKind::Illegal(illegal) => illegal.fmt(f),
-            FaultKind::Overflow(stack) => {
-                write!(f, "stack {stack} would hold more than {STACK_DEPTH} bits")
+            FaultKind::Overflow(stack, depth) => {
+                write!(f, "stack {stack} would hold more than {depth} bits")
             }
             FaultKind::Underflow(stack) => write!(f, "a bit is taken from the empty stack {stack}"),
             FaultKind::NotWritable(ONE) => write!(f, "flag {ONE} is the constant 1"),
@@ -87,7 +94,13 @@ impl fmt::Display for FaultKind {
             FaultKind::OverTheEnd => f.write_str("it runs over the end of its memory"),
             FaultKind::NoEnd => f.write_str("no word ends the scan"),
             FaultKind::AfterEnd => f.write_str("words follow the end of the scan"),
-            FaultKind::TooLong => write!(f, "the code memory has {CODE_WORDS} words"),
+            FaultKind::TooLong(words) => write!(f, "the code memory has {words} words"),
+            FaultKind::NoBit(bit) => {
+                write!(f, "an image of this size has no {} {bit}", region(*bit))
+            }
+            FaultKind::NoRegister(register) => {
+                write!(f, "a register array of this size has no register {register}")
+            }
         }
     }
 }
@@ -96,7 +109,17 @@ impl Rom {
     /// Everything that keeps the processor from running it, in the order of the words. There are
     /// no jumps, so all of it is known before it runs.
     pub fn faults(&self) -> Vec<Fault> {
-        let mut check = Check::default();
+        self.check().faults
+    }
+
+    /// The smallest processor that can run it, if one of its sizes can.
+    pub fn needs(&self) -> Sizes {
+        let needs = self.check().needs;
+        Sizes { code_words: self.code.len().max(needs.code_words), ..needs }
+    }
+
+    fn check(&self) -> Check {
+        let mut check = Check::new(self.sizes);
         let mut ended = None;
         for (at, &bits) in self.code.iter().enumerate() {
             check.at = at;
@@ -114,17 +137,24 @@ impl Rom {
         if ended.is_none() {
             check.fault(FaultKind::NoEnd);
         }
-        if self.code.len() > CODE_WORDS {
-            check.at = CODE_WORDS;
-            check.fault(FaultKind::TooLong);
+        self.image.iter().for_each(|&bit| check.bit(bit));
+        self.registers.keys().for_each(|&register| check.registers(register, register));
+        let Pins { inputs, outputs } = self.pins;
+        check.bit(inputs.saturating_sub(1));
+        check.bit(FIRST_OUTPUT + outputs.saturating_sub(1));
+        if self.code.len() > self.sizes.code_words {
+            check.at = self.sizes.code_words;
+            check.fault(FaultKind::TooLong(self.sizes.code_words));
         }
-        check.faults
+        check
     }
 }
 
 /// What is known before a word.
-#[derive(Default)]
 struct Check {
+    sizes: Sizes,
+    /// What the words so far take of it.
+    needs: Sizes,
     at: usize,
     faults: Vec<Fault>,
     /// How many bits each stack holds.
@@ -138,13 +168,29 @@ struct Check {
 }
 
 impl Check {
+    fn new(sizes: Sizes) -> Check {
+        Check {
+            sizes,
+            needs: Sizes::LEAST,
+            at: 0,
+            faults: Vec::new(),
+            depths: [0, 0],
+            ended: false,
+            unit: None,
+            register: None,
+            number: None,
+            used: BTreeSet::new(),
+        }
+    }
+
     fn fault(&mut self, kind: FaultKind) {
         self.faults.push(Fault { at: self.at, kind });
     }
 
     fn word(&mut self, word: Word) {
         match word {
-            Word::Contact { attribute, .. } => {
+            Word::Contact { attribute, address, .. } => {
+                self.bit(address);
                 if self.ended {
                     (self.depths, self.ended) = ([0, 0], false);
                 }
@@ -164,6 +210,7 @@ impl Check {
             Word::Output { operation, coil } => {
                 self.ended = true;
                 self.writable(coil);
+                self.bit(coil);
                 if operation.is_function() {
                     self.function(operation, coil);
                     (self.unit, self.register, self.number) = (None, None, None);
@@ -179,10 +226,11 @@ impl Check {
     fn push(&mut self, stack: u8) {
         let depth = &mut self.depths[usize::from(stack - 1)];
         *depth += 1;
-        if *depth > STACK_DEPTH {
-            *depth = STACK_DEPTH;
-            self.fault(FaultKind::Overflow(stack));
+        if *depth > self.sizes.stack_depth {
+            *depth = self.sizes.stack_depth;
+            self.fault(FaultKind::Overflow(stack, self.sizes.stack_depth));
         }
+        self.needs.stack_depth = self.needs.stack_depth.max(self.depths[usize::from(stack - 1)]);
     }
 
     fn pop(&mut self, stack: u8) {
@@ -196,6 +244,21 @@ impl Check {
     fn writable(&mut self, coil: Address) {
         if !(FIRST_OUTPUT..ONE).contains(&coil) {
             self.fault(FaultKind::NotWritable(coil));
+        }
+    }
+
+    fn bit(&mut self, address: Address) {
+        self.needs.need_bit(address);
+        if !self.sizes.has_bit(address) {
+            self.fault(FaultKind::NoBit(address));
+        }
+    }
+
+    fn registers(&mut self, first: u16, last: u16) {
+        [first, last].into_iter().for_each(|register| self.needs.need_register(register));
+        let missing = |register: &u16| !self.sizes.has_register(*register);
+        if let Some(register) = (first..=last).find(missing) {
+            self.fault(FaultKind::NoRegister(register));
         }
     }
 
@@ -219,10 +282,14 @@ impl Check {
                 Some(unit) if !self.used.insert((class, unit)) => {
                     self.fault(FaultKind::UnitTwice(unit));
                 }
+                Some(unit) if class < 2 => {
+                    let count = unit + if class == 0 { FIRST_COUNT } else { FIRST_DRUM };
+                    self.registers(count, count);
+                }
                 Some(_) => {}
             }
         }
-        let Some(numbers) = numbers else { return };
+        let Some(numbers) = numbers else { return self.registers(register, register) };
         let Some(number) = self.number else { return self.fault(FaultKind::Missing("NUMBER")) };
         if !numbers.contains(&number) {
             return self.fault(FaultKind::Unfit("NUMBER", number));
@@ -233,9 +300,15 @@ impl Check {
             Operation::ShiftRight => register.checked_sub(number - 1),
             _ => Some(register),
         };
-        let ends_outside = last.is_none_or(|last| usize::from(last) >= REGISTERS);
-        if ends_outside || (class == 1 && coil + number >= ONE) {
-            self.fault(FaultKind::OverTheEnd);
+        let Some(last) = last.filter(|last| usize::from(*last) < REGISTERS) else {
+            return self.fault(FaultKind::OverTheEnd);
+        };
+        self.registers(register.min(last), register.max(last));
+        if class == 1 {
+            match coil + number {
+                ONE.. => self.fault(FaultKind::OverTheEnd),
+                last => self.bit(last),
+            }
         }
     }
 }

@@ -1,10 +1,10 @@
-//! The elements of a rung, from left to right: what only looks becomes part of the drawn power, what
-//! writes cuts the rung into circuits.
+//! The elements of a rung, from left to right: what only looks becomes part of the drawn power,
+//! what writes cuts the rung into circuits.
 
 use super::compile::{Compiler, Done, Reported};
 use super::power::Power;
 use super::tree::{Contact, Tree};
-use super::word::{Address, Operation, Word};
+use super::word::{Address, Operation};
 use crate::model::{CoilAction, Edge, Element, InstanceId, Place, Role, VariableId};
 use crate::source::Span;
 
@@ -25,7 +25,7 @@ impl Compiler<'_> {
     }
 
     fn element(&mut self, element: &Element, power: Power, wanted: bool) -> Done<Power> {
-        if is_contacts(element) {
+        if element.only_looks() {
             // What an edge contact writes is its own, so the drawn power stays what it is.
             let left = self.drawn(power)?;
             let part = self.contacts(element)?;
@@ -42,7 +42,7 @@ impl Compiler<'_> {
             Element::Invert => match power {
                 Power::InHand(None) => {
                     let coil = self.flag()?;
-                    self.word(Word::Output { operation: Operation::Inverted, coil });
+                    self.operation(Operation::Inverted, coil);
                     Ok(Power::Drawn(Tree::on(coil)))
                 }
                 power => {
@@ -55,6 +55,9 @@ impl Compiler<'_> {
                 None => self.register_coil(target, *action, *span, power),
             },
             Element::ResetInstance(instance) => self.reset_instance(*instance, power),
+            Element::Assign { target, value, span } if target.bit.is_some() => {
+                self.assign_bit(target, value, *span, power)
+            }
             Element::Assign { target, value, span } => {
                 let target = self.whole(target, *span)?;
                 self.assign(target, value, *span, power)
@@ -108,7 +111,8 @@ impl Compiler<'_> {
     pub(super) fn whole(&mut self, place: &Place, span: Span) -> Done<VariableId> {
         place.as_variable().ok_or_else(|| {
             let label = format!("`{}` has no address of its own", place.name(self.program));
-            self.cannot(span, "bits of words and elements chosen while it runs", label)
+            let help = "choose it with a constant, or build it with --emit verilog or vhdl";
+            self.refuse(span, "elements chosen while it runs", label, help)
         })
     }
 
@@ -119,7 +123,8 @@ impl Compiler<'_> {
         }
         let name = &self.program.variables[variable].name;
         Err(match self.program.variables[variable].role {
-            // The call is reported; a member of what the processor does not have is no other mistake.
+            // The call is reported; a member of what the processor does not have is no other
+            // mistake.
             Role::Member(..) => Reported,
             _ => self.cannot(span, "this contact", format!("`{name}` has no image address")),
         })
@@ -213,23 +218,5 @@ impl Compiler<'_> {
             }
         };
         self.write(power, operation, coil)
-    }
-}
-
-/// True for what only looks and whose conduction does not depend on the power.
-pub(super) fn is_contacts(element: &Element) -> bool {
-    match element {
-        Element::Constant(_)
-        | Element::Contact { .. }
-        | Element::Edge { .. }
-        | Element::Net(_)
-        | Element::Compare(..) => true,
-        Element::Parallel(branches) => branches.iter().flatten().all(is_contacts),
-        Element::OneShot { .. }
-        | Element::Invert
-        | Element::Coil { .. }
-        | Element::ResetInstance(_)
-        | Element::Assign { .. }
-        | Element::Call(_) => false,
     }
 }

@@ -1,4 +1,5 @@
-//! The words of the processor: 2 bits of code, 4 of attribute or operation, 10 of address or number.
+//! The words of the processor: 2 bits of code, 4 of attribute or operation, 10 of address or
+//! number.
 
 use std::fmt;
 
@@ -167,6 +168,22 @@ impl Operation {
     /// Its name in listings.
     pub fn name(self) -> &'static str {
         self.entry().1
+    }
+
+    /// The parameter of the hardware without which it does nothing, if it is a function.
+    pub fn parameter(self) -> Option<&'static str> {
+        match self {
+            Operation::TimerSeconds | Operation::TimerTenths => Some("TIMERS"),
+            Operation::CountUp | Operation::CountDown => Some("COUNTERS"),
+            Operation::Drum => Some("DRUMS"),
+            Operation::ShiftRight | Operation::ShiftLeft => Some("SHIFTS"),
+            Operation::BitSet | Operation::BitClear => Some("BITS"),
+            Operation::Coil
+            | Operation::Set
+            | Operation::Reset
+            | Operation::Inverted
+            | Operation::End => None,
+        }
     }
 
     /// True for what a prefix must give further numbers.

@@ -4,17 +4,24 @@
 //! reset, whatever the inputs are. None looks at names: what is true of a timer is true of a
 //! counter that a program makes out of a variable.
 
+mod absorb;
 mod ahead;
+mod decide;
 mod family;
 mod fit;
+#[cfg(test)]
+mod gates;
 mod inside;
 mod merge;
 mod narrow;
 mod place;
 mod ports;
 mod rebuild;
+#[cfg(test)]
+mod same;
 mod saturate;
 mod share;
+mod together;
 mod unseen;
 
 use super::{Circuit, Design};
@@ -25,6 +32,8 @@ type Pass = fn(&Circuit) -> Option<Circuit>;
 
 /// The passes over a circuit, in their order.
 const PASSES: &[Pass] = &[
+    absorb::absorb,
+    decide::decide,
     merge::merge,
     narrow::narrow,
     saturate::saturate,
@@ -34,6 +43,7 @@ const PASSES: &[Pass] = &[
     merge::merge,
     unseen::forget_unseen,
     share::share,
+    together::move_together,
 ];
 
 /// Fits the modules of a design to their instances and makes every circuit small. Behaviour at the

@@ -256,7 +256,8 @@ mod tests {
     use fastrand::Rng;
 
     use super::*;
-    use crate::circuit::{Design, Simulator, simplify};
+    use crate::circuit::passes::same::assert_same;
+    use crate::circuit::{Design, simplify};
 
     /// Nets to choose from.
     struct Pool {
@@ -340,24 +341,6 @@ mod tests {
         pool.circuit
     }
 
-    fn assert_same(seed: u64, before: &Circuit, after: Design) {
-        let design =
-            |circuit: &Circuit| Design { modules: [circuit.clone()].into_iter().collect() };
-        let (before, after) = (design(before).validate().unwrap(), after.validate().unwrap());
-        let (mut first, mut second) = (Simulator::new(&before), Simulator::new(&after));
-        let mut rng = Rng::with_seed(seed);
-        for scan in 0..200 {
-            let row: Vec<u64> = (0..3).map(|_| rng.u64(..2)).collect();
-            first.settle(&row);
-            second.settle(&row);
-            for port in 0..2 {
-                assert_eq!(second.output(port), first.output(port), "circuit {seed}, scan {scan}");
-            }
-            first.clock();
-            second.clock();
-        }
-    }
-
     #[test]
     fn nobody_sees_the_difference() {
         let mut changed = 0;
@@ -365,10 +348,11 @@ mod tests {
             let circuit = random(seed);
             if let Some(simple) = forget_unseen(&circuit) {
                 changed += 1;
-                assert_same(seed, &circuit, Design { modules: [simple].into_iter().collect() });
+                let simple = Design { modules: [simple].into_iter().collect() };
+                assert_same(seed, &circuit, simple, 200);
             }
             let design = Design { modules: [circuit.clone()].into_iter().collect() };
-            assert_same(seed, &circuit, simplify(design));
+            assert_same(seed, &circuit, simplify(design), 200);
         }
         assert!(changed > 100, "only {changed} circuits have a word that is not always seen");
     }

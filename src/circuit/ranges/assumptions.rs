@@ -250,32 +250,8 @@ impl<'a> Assumptions<'a> {
         Some(match cell.op {
             Op::Input(_) | Op::Register(_) | Op::Port(..) | Op::Const(_) => self.found(net),
             Op::Not(from) => self.interval(from).not(),
-            Op::And(list) => {
-                let (mut highest, mut lowest) = (super::mask(width), super::mask(width));
-                let list = self.circuit.list(list);
-                for &operand in list.iter().take(OPERANDS) {
-                    let (low, high) = self.interval(operand).unsigned();
-                    highest = highest.min(high);
-                    lowest = if width == 1 { lowest & low } else { 0 };
-                }
-                if list.len() > OPERANDS {
-                    lowest = 0;
-                }
-                Interval::new(lowest.into(), highest.into(), width)
-            }
-            Op::Or(list) => {
-                let (mut lowest, mut bits) = (0, 0);
-                let list = self.circuit.list(list);
-                for &operand in list.iter().take(OPERANDS) {
-                    let (low, high) = self.interval(operand).unsigned();
-                    lowest = lowest.max(low);
-                    bits |= super::filled(high);
-                }
-                if list.len() > OPERANDS {
-                    bits = super::mask(width);
-                }
-                Interval::new(lowest.into(), bits.into(), width)
-            }
+            Op::And(list) => self.all_of(self.circuit.list(list), width),
+            Op::Or(list) => self.any_of(self.circuit.list(list), width),
             Op::Xor(a, b) => {
                 let high = self.interval(a).unsigned().1 | self.interval(b).unsigned().1;
                 Interval::new(0, super::filled(high).into(), width)
@@ -313,17 +289,45 @@ impl<'a> Assumptions<'a> {
             Op::Mul(a, b) => self.interval(a).mul(self.interval(b)),
             Op::Div(a, b) => self.interval(a).div(self.interval(b)),
             Op::Rem(a, b) => self.interval(a).rem(self.interval(b)),
-            Op::Concat(list) => {
-                let (mut lowest, mut highest) = (0, 0);
-                for &operand in self.circuit.list(list) {
-                    let (low, high) = self.interval(operand).unsigned();
-                    let part = self.circuit.width(operand);
-                    lowest = lowest << part | i128::from(low);
-                    highest = highest << part | i128::from(high);
-                }
-                Interval::new(lowest, highest, width)
-            }
+            Op::Concat(list) => self.side_by_side(self.circuit.list(list), width),
         })
+    }
+
+    fn all_of(&mut self, list: &[Net], width: u32) -> Interval {
+        let (mut highest, mut lowest) = (super::mask(width), super::mask(width));
+        for &operand in list.iter().take(OPERANDS) {
+            let (low, high) = self.interval(operand).unsigned();
+            highest = highest.min(high);
+            lowest = if width == 1 { lowest & low } else { 0 };
+        }
+        if list.len() > OPERANDS {
+            lowest = 0;
+        }
+        Interval::new(lowest.into(), highest.into(), width)
+    }
+
+    fn any_of(&mut self, list: &[Net], width: u32) -> Interval {
+        let (mut lowest, mut bits) = (0, 0);
+        for &operand in list.iter().take(OPERANDS) {
+            let (low, high) = self.interval(operand).unsigned();
+            lowest = lowest.max(low);
+            bits |= super::filled(high);
+        }
+        if list.len() > OPERANDS {
+            bits = super::mask(width);
+        }
+        Interval::new(lowest.into(), bits.into(), width)
+    }
+
+    fn side_by_side(&mut self, list: &[Net], width: u32) -> Interval {
+        let (mut lowest, mut highest) = (0, 0);
+        for &operand in list {
+            let (low, high) = self.interval(operand).unsigned();
+            let part = self.circuit.width(operand);
+            lowest = lowest << part | i128::from(low);
+            highest = highest << part | i128::from(high);
+        }
+        Interval::new(lowest, highest, width)
     }
 
     fn either(

@@ -74,7 +74,8 @@ impl Ranges {
             });
             next.flatten().flatten()
         };
-        let marks = marks(circuit, id);
+        // The flag may come on and go off at numbers that do not move the word.
+        let marks = marks(circuit, &[id, flag_id]);
         let is_on = flag_register.reset == 1;
         let reset = is_on.then(|| Interval::bits(register.reset, register.width));
         let start = next(false, self.interval(circuit, word));
@@ -125,7 +126,7 @@ impl<'c> Analysis<'c> {
             match cell.op {
                 Op::Register(id) if cell.width > 1 => {
                     let reset = Interval::bits(circuit.registers[id].reset, cell.width);
-                    let marks = marks(circuit, id);
+                    let marks = marks(circuit, &[id]);
                     registers.push(Growing { id, net, interval: reset, marks, growths: 0 });
                 }
                 Op::Input(_) | Op::Register(_) | Op::Port(..) | Op::Const(_) => {}
@@ -229,12 +230,12 @@ impl<'c> Analysis<'c> {
     }
 }
 
-/// Numbers at which a register may stop: the constants that its next value is computed with, and
+/// Numbers at which a register may stop: the constants that next values are computed with, and
 /// their neighbours.
-fn marks(circuit: &Circuit, id: RegisterId) -> Vec<i128> {
+fn marks(circuit: &Circuit, registers: &[RegisterId]) -> Vec<i128> {
     let mut marks = Vec::new();
     let mut seen = HashSet::new();
-    let mut open = vec![circuit.registers[id].next];
+    let mut open: Vec<Net> = registers.iter().map(|&id| circuit.registers[id].next).collect();
     while let Some(net) = open.pop() {
         if seen.len() == SEARCH || !seen.insert(index(net)) {
             continue;

@@ -40,6 +40,7 @@ pub struct Timing {
 /// What one signal did.
 #[derive(Debug)]
 struct Lane {
+    /// The variable; none for the tick.
     variable: Option<VariableId>,
     name: String,
     ty: Type,
@@ -49,10 +50,15 @@ struct Lane {
 /// Scans in which a value stays as it is, or changes by the same step in each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Segment {
+    /// Its first scan.
     start: usize,
+    /// The value in that.
     first: i64,
+    /// The value in its last scan.
     last: i64,
+    /// What is added from scan to scan.
     step: i64,
+    /// How many scans it has.
     scans: usize,
 }
 

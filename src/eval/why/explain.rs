@@ -246,51 +246,27 @@ impl<'w, 'p> Explainer<'w, 'p> {
             rung: self.why.program.rungs[site.rung].number as usize,
             element: site.number,
         };
-        let condition = |explainer: &Self, text: String, causes| Cause {
-            subject: Subject::Condition(text),
-            value: explainer.scene(&detail).conducts(site.element).into(),
-            ty: Type::Bool,
-            scan,
-            told_of: scan,
-            since: None,
-            reason: Reason::Element(explainer.place(&site)),
-            looked: None,
-            causes,
-        };
-        match site.element {
-            Element::Contact { place, negated, .. } => match place.as_variable() {
-                Some(variable) => {
+        let causes = match site.element {
+            Element::Contact { place, negated, .. } => {
+                if let Some(variable) = place.as_variable() {
                     let looks = std::mem::replace(&mut self.blames_idle_coils, !negated);
                     let cause = self.variable(variable, scan, Some(visit.start), depth);
                     self.blames_idle_coils = looks;
-                    Cause { looked: Some(looked), ..cause }
+                    return Cause { looked: Some(looked), ..cause };
                 }
-                None => {
-                    let causes = self.looked_at(place, site, scan, depth);
-                    condition(self, self.text(site.element), causes)
-                }
-            },
-            Element::Edge { place, .. } => {
-                let causes = self.looked_at(place, site, scan, depth);
-                condition(self, self.text(site.element), causes)
+                self.looked_at(place, site, scan, depth)
             }
-            Element::Compare(expr, _) => {
-                let causes = self.reads(expr, site, scan, None, depth);
-                condition(self, self.text(site.element), causes)
-            }
+            Element::Edge { place, .. } => self.looked_at(place, site, scan, depth),
+            Element::Compare(expr, _) => self.reads(expr, site, scan, None, depth),
             Element::OneShot { edge, memory } if !visit.out => {
-                let causes = self.no_edge(site, scan, *edge, *memory, depth);
-                condition(self, self.text(site.element), causes)
+                self.no_edge(site, scan, *edge, *memory, depth)
             }
-            Element::OneShot { .. } => {
-                let causes = self.deciders(site, scan, depth);
-                condition(self, self.text(site.element), causes)
-            }
+            Element::OneShot { .. } => self.deciders(site, scan, depth),
             Element::Call(call) => {
                 let instance = &self.why.program.instances[call.instance];
                 let main = call.shape.main_port().expect("it makes power");
                 let cause = self.variable(instance.members[main], scan, Some(visit.end), depth);
-                Cause { looked: Some(looked), ..cause }
+                return Cause { looked: Some(looked), ..cause };
             }
             Element::Constant(_)
             | Element::Parallel(_)
@@ -298,7 +274,18 @@ impl<'w, 'p> Explainer<'w, 'p> {
             | Element::Invert
             | Element::Coil { .. }
             | Element::ResetInstance(_)
-            | Element::Assign { .. } => condition(self, self.text(site.element), Vec::new()),
+            | Element::Assign { .. } => Vec::new(),
+        };
+        Cause {
+            subject: Subject::Condition(self.text(site.element)),
+            value: self.scene(&detail).conducts(site.element).into(),
+            ty: Type::Bool,
+            scan,
+            told_of: scan,
+            since: None,
+            reason: Reason::Element(self.place(&site)),
+            looked: None,
+            causes,
         }
     }
 

@@ -1,7 +1,7 @@
 //! What decides the power in front of an element, within one scan.
 
 use super::sites::{Site, Sites};
-use crate::eval::scene::Scene;
+use crate::eval::scene::{Scene, is_passed, makes_power};
 use crate::model::{Connection, Element, Net};
 
 /// One scan, and where its elements stand.
@@ -40,9 +40,9 @@ impl<'p> Decided<'_, 'p> {
 
     /// Adds the deciders of a part of a series, in text order; true if one of them decides alone.
     fn within(&self, part: &'p [Element], power: bool, found: &mut Vec<Site<'p>>) -> bool {
-        let first = part.iter().rposition(|element| self.scene.makes_power(element));
+        let first = part.iter().rposition(makes_power);
         for element in &part[first.unwrap_or(0)..] {
-            if self.scene.is_passed(element) || self.scene.conducts(element) != power {
+            if is_passed(element) || self.scene.conducts(element) != power {
                 continue;
             }
             match element {

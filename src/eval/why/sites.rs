@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use crate::eval::recorder::Place;
-use crate::model::{ArgumentValue, CoilAction, Element, Program, VariableId};
+use crate::model::{CoilAction, Element, Program, VariableId};
 
 /// Index in [`Sites::all`].
 pub(super) type SiteId = usize;
@@ -88,11 +88,7 @@ impl<'p> Sites<'p> {
                 Element::Call(call) => {
                     self.all[id].call = Some(self.calls);
                     self.calls += 1;
-                    for argument in &call.arguments {
-                        if let ArgumentValue::Network(network) = &argument.value {
-                            self.series(network, None, rung);
-                        }
-                    }
+                    call.networks().for_each(|network| self.series(network, None, rung));
                 }
                 Element::Coil { target, action: CoilAction::Set, .. } => {
                     if let Some(variable) = target.as_variable() {

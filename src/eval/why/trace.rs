@@ -1,7 +1,7 @@
 //! A run, kept as the changes of everything that can change.
 
 use crate::eval::recorder::{Recorder, Recording};
-use crate::eval::{Evaluator, Row};
+use crate::eval::{Evaluator, Machine, Row};
 use crate::index::index;
 use crate::model::{Program, Role, VariableId};
 
@@ -26,7 +26,7 @@ impl<'p> Trace<'p> {
         let mut evaluator = Evaluator::new(program);
         for row in rows {
             let before = evaluator.values().to_vec();
-            row.drives.iter().for_each(|&(input, value)| evaluator.drive(input, value));
+            evaluator.drive_row(row);
             let recorder = Recorder::Calls(Vec::new());
             let Recorder::Calls(calls) = evaluator.scan_recorded(row.tick, recorder) else {
                 unreachable!("a recorder stays of its kind")

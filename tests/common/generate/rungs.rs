@@ -3,21 +3,22 @@
 use std::fmt::Write;
 
 use super::Generator;
+use crate::common::dice::Dice;
 
 impl Generator {
     pub fn rung(&mut self, text: &mut String) {
-        let title = if self.chance(3) { " \"a title\"" } else { "" };
+        let title = if self.random.chance(3) { " \"a title\"" } else { "" };
         write!(text, "rung{title}").unwrap();
-        if !self.steps.is_empty() && self.chance(4) {
+        if !self.steps.is_empty() && self.random.chance(4) {
             let step = self.step();
             writeln!(text, " {step}").unwrap();
             return;
         }
-        if !self.chance(4) {
+        if !self.random.chance(4) {
             let network = self.series(2);
             write!(text, " {network}").unwrap();
         }
-        let outputs = if self.chance(3) { self.output_branches() } else { self.output() };
+        let outputs = if self.random.chance(3) { self.output_branches() } else { self.output() };
         writeln!(text, " {outputs}").unwrap();
     }
 
@@ -25,7 +26,8 @@ impl Generator {
     fn output_branches(&mut self) -> String {
         let branches: Vec<String> = (0..2 + self.random.usize(..2))
             .map(|_| {
-                let contacts = if self.chance(2) { self.looks(1) + " " } else { String::new() };
+                let contacts =
+                    if self.random.chance(2) { self.looks(1) + " " } else { String::new() };
                 contacts + &self.output()
             })
             .collect();
@@ -34,11 +36,11 @@ impl Generator {
 
     /// A step of a sequence: in it, and when something happens, the next one.
     fn step(&mut self) -> String {
-        let name = self.pick(&self.steps.clone());
+        let name = self.random.pick(&self.steps);
         let (here, next) = (self.random.u32(..5), self.random.u32(..5));
         let condition = self.looks(1);
-        let once = if self.chance(3) { " rising" } else { "" };
-        let output = if self.chance(2) { self.output() + " " } else { String::new() };
+        let once = if self.random.chance(3) { " rising" } else { "" };
+        let output = if self.random.chance(2) { self.output() + " " } else { String::new() };
         format!("{{ {name} = {here} }} {output}{condition}{once} {{ {name} := {next} }}")
     }
 
@@ -92,7 +94,7 @@ impl Generator {
         let mut text = "net {".to_owned();
         self.random.shuffle(&mut ends);
         for (from, to) in ends {
-            let arrow = self.pick(&["->", "<->"]);
+            let arrow = self.random.pick(&["->", "<->"]);
             let path = self.looks(depth);
             write!(text, " {} {arrow} {} : {path}", nodes[from], nodes[to]).unwrap();
         }
@@ -103,12 +105,12 @@ impl Generator {
     fn look(&mut self, depth: u32) -> String {
         match self.random.u32(..16) {
             0 if depth > 0 && !self.in_net => self.net(depth - 1),
-            0 => self.pick(&["TRUE", "FALSE"]).to_owned(),
+            0 => self.random.pick(&["TRUE", "FALSE"]).to_owned(),
             1..=2 => {
                 let bits: Vec<String> =
                     self.bits.iter().filter(|bit| *bit != "first_scan").cloned().collect();
-                let inner = if self.chance(4) { self.inner_bit(false) } else { None };
-                let (edge, bit) = (self.pick(&["rise", "fall"]), self.pick(&bits));
+                let inner = if self.random.chance(4) { self.inner_bit(false) } else { None };
+                let (edge, bit) = (self.random.pick(&["rise", "fall"]), self.random.pick(&bits));
                 let bit = inner.unwrap_or(bit);
                 format!("{edge}({bit})")
             }
@@ -122,9 +124,9 @@ impl Generator {
                 format!("[ {} ]", list.join(" | "))
             }
             _ => {
-                let inner = if self.chance(4) { self.inner_bit(false) } else { None };
-                let bit = inner.unwrap_or_else(|| self.pick(&self.bits.clone()));
-                format!("{}{bit}", self.pick(&["", "", "!"]))
+                let inner = if self.random.chance(4) { self.inner_bit(false) } else { None };
+                let bit = inner.unwrap_or_else(|| self.random.pick(&self.bits));
+                format!("{}{bit}", self.random.pick(&["", "", "!"]))
             }
         }
     }
@@ -132,18 +134,18 @@ impl Generator {
     pub fn output(&mut self) -> String {
         match self.random.u32(..12) {
             0..=2 if !self.targets.is_empty() => {
-                let element = if self.chance(4) { self.target_element() } else { None };
-                let (target, ty) = element.unwrap_or_else(|| self.pick(&self.targets.clone()));
+                let element = if self.random.chance(4) { self.target_element() } else { None };
+                let (target, ty) = element.unwrap_or_else(|| self.random.pick(&self.targets));
                 let value = self.number(ty, 2);
                 format!("{{ {target} := {value} }}")
             }
             3 if !self.instances.is_empty() => {
-                format!("(R {})", self.pick(&self.instances.clone()))
+                format!("(R {})", self.random.pick(&self.instances))
             }
             _ => {
-                let inner = if self.chance(4) { self.inner_bit(true) } else { None };
-                let coil = inner.unwrap_or_else(|| self.pick(&self.coils.clone()));
-                let action = self.pick(&["", "", "", "", "!", "S ", "R ", "rise ", "fall "]);
+                let inner = if self.random.chance(4) { self.inner_bit(true) } else { None };
+                let coil = inner.unwrap_or_else(|| self.random.pick(&self.coils));
+                let action = self.random.pick(&["", "", "", "", "!", "S ", "R ", "rise ", "fall "]);
                 format!("({action}{coil})")
             }
         }

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::{Generator, NUMBERS};
+use crate::common::dice::Dice;
 
 const INTEGERS: [&str; 4] = ["INT", "UINT", "DINT", "UDINT"];
 
@@ -31,14 +32,14 @@ fn has_bits(ty: &str) -> bool {
 impl Generator {
     /// Declares an array now and then, and makes its elements known.
     pub fn array(&mut self, kind: &str, letter: &str, text: &mut String) {
-        if !self.chance(3) {
+        if !self.random.chance(3) {
             return;
         }
-        let ty = if self.chance(3) { "BOOL" } else { self.pick(&NUMBERS) };
+        let ty = if self.random.chance(3) { "BOOL" } else { self.random.pick(&NUMBERS) };
         let (name, length) = (format!("{letter}_array"), 1 + self.random.usize(..5));
-        let initial = if kind != "input" && self.chance(2) {
+        let initial = if kind != "input" && self.random.chance(2) {
             let values = self.random.usize(..=length);
-            let bit = |generator: &mut Self| generator.pick(&["0", "1"]).to_owned();
+            let bit = |generator: &mut Self| generator.random.pick(&["0", "1"]).to_owned();
             let values: Vec<String> = (0..values)
                 .map(|_| if ty == "BOOL" { bit(self) } else { self.literal(ty) })
                 .collect();
@@ -68,7 +69,7 @@ impl Generator {
         if arrays.is_empty() {
             return None;
         }
-        let Array { name, ty, length, .. } = self.pick(&arrays);
+        let Array { name, ty, length, .. } = self.random.pick(&arrays);
         let index = self.integer();
         let index = match self.random.u32(..3) {
             0 => index,
@@ -96,10 +97,13 @@ impl Generator {
             .filter(|number| INTEGERS.contains(&number.1))
             .map(|number| number.0.clone())
             .collect();
-        if known.is_empty() || self.chance(4) {
-            return self.pick(&["0", "1", "2", "3", "7", "15", "16", "33", "-1", "-5"]).to_owned();
+        if known.is_empty() || self.random.chance(4) {
+            return self
+                .random
+                .pick(&["0", "1", "2", "3", "7", "15", "16", "33", "-1", "-5"])
+                .to_owned();
         }
-        self.pick(&known)
+        self.random.pick(&known)
     }
 
     /// A bit that a contact can look at, or a coil can write: of a number, of an element that is
@@ -122,7 +126,7 @@ impl Generator {
                 if arrays.is_empty() {
                     return None;
                 }
-                let Array { name, ty, length, .. } = self.pick(&arrays);
+                let Array { name, ty, length, .. } = self.random.pick(&arrays);
                 Some(format!("{name}.{}", self.random.usize(..length * width(ty))))
             }
             _ => {
@@ -132,7 +136,7 @@ impl Generator {
                 if numbers.is_empty() {
                     return None;
                 }
-                let (name, ty) = self.pick(&numbers);
+                let (name, ty) = self.random.pick(&numbers);
                 Some(self.bit_of(&name, ty))
             }
         }
@@ -158,7 +162,7 @@ impl Generator {
         Some(match self.random.u32(..10) {
             0 => {
                 let (a, b) = (number(self), number(self));
-                format!("{}({a}, {b})", self.pick(&["MIN", "MAX"]))
+                format!("{}({a}, {b})", self.random.pick(&["MIN", "MAX"]))
             }
             1 => {
                 let list: Vec<String> = (0..3).map(|_| number(self)).collect();
@@ -169,12 +173,12 @@ impl Generator {
                 format!("SEL({condition}, {a}, {b})")
             }
             3 => {
-                let (to, from) = (format!("TO_{ty}"), self.pick(&self.numbers_and_bits()));
+                let (to, from) = (format!("TO_{ty}"), self.random.pick(&self.numbers_and_bits()));
                 format!("{to}({from})")
             }
             4 | 5 if is_pattern => {
                 let (word, amount) = (number(self), self.integer());
-                format!("{}({word}, {amount})", self.pick(&["SHL", "SHR", "ROL", "ROR"]))
+                format!("{}({word}, {amount})", self.random.pick(&["SHL", "SHR", "ROL", "ROR"]))
             }
             4 if matches!(ty, "INT" | "DINT") => format!("ABS({})", number(self)),
             5 | 6 if !self.has_products => return None,
@@ -191,7 +195,7 @@ impl Generator {
                 if [&a, &b].into_iter().all(|side| self.is_literal(side)) {
                     return None;
                 }
-                format!("({a} {} {b})", self.pick(&["*", "*", "/", "MOD"]))
+                format!("({a} {} {b})", self.random.pick(&["*", "*", "/", "MOD"]))
             }
             7 => {
                 let wanted = ty.to_owned();

@@ -220,16 +220,8 @@ impl Bench {
         let core_ports = super::port_names(core, options);
 
         let outer = HashSet::from([core_ports.module.to_ascii_lowercase()]);
-        let mut namer = Namer::new(&outer);
         let has_scans = core_ports.has_scan_ports;
-        let more = OWN_NAMES_OF_SCANS.iter().filter(|_| has_scans);
-        for own in OWN_NAMES.iter().chain(more) {
-            namer.fix(own);
-        }
-        namer.fix(options.reset.port());
-        for counter in lines::counters(program) {
-            namer.take(counter, "");
-        }
+        let mut namer = own_names(program, &outer, has_scans, options);
         let expectations = expectation_nets(&all, &mut namer);
         let (signals, wires) = signals::signals(program, observed, &core_ports, namer, language);
 
@@ -262,6 +254,26 @@ impl Bench {
             tests: program.tests.len(),
         }
     }
+}
+
+/// The names that a testbench has in any case; with those for scans of several clocks, if it
+/// `has_scans`.
+fn own_names<'n>(
+    program: &Program,
+    outer: &'n HashSet<String>,
+    has_scans: bool,
+    options: &Options,
+) -> Namer<'n> {
+    let mut namer = Namer::new(outer);
+    let more = OWN_NAMES_OF_SCANS.iter().filter(|_| has_scans);
+    for own in OWN_NAMES.iter().chain(more) {
+        namer.fix(own);
+    }
+    namer.fix(options.reset.port());
+    for counter in lines::counters(program) {
+        namer.take(counter, "");
+    }
+    namer
 }
 
 /// An instance with clock and reset and these nets at its other ports.
