@@ -1,10 +1,10 @@
-//! Runs printed text in a simulator: one reset, then a row of inputs for each clock.
+//! Runs printed text in a simulator: a row of inputs for each clock, after resets if there are any.
 
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
-use hotrail::backend::hdl::{self, Language, Options, PortName, PortNames};
+use hotrail::backend::hdl::{self, Language, Options, PortName, PortNames, ResetStyle};
 use hotrail::circuit::Design;
 
 use super::{require_tool, run};
@@ -15,6 +15,10 @@ pub struct Bench {
     module: String,
     /// The reset port.
     reset: &'static str,
+    /// A reset needs no clock.
+    is_async: bool,
+    /// The rows before which it is reset.
+    resets: Vec<usize>,
     inputs: Vec<PortName>,
     outputs: Vec<PortName>,
 }
@@ -23,19 +27,28 @@ impl Bench {
     /// For the program itself.
     pub fn of_core(design: &Design, options: &Options) -> Bench {
         let ports = hdl::port_names(design, options);
-        Bench::new(ports.module.clone(), ports, 0)
+        Bench::new(ports.module.clone(), ports, 0, options)
+    }
+
+    /// The same, reset before these rows only. Without one before the first row it starts as it is
+    /// when powered up.
+    pub fn reset_before(self, resets: &[usize]) -> Bench {
+        Bench { resets: resets.to_vec(), ..self }
     }
 
     /// For the wrapper, which has no input for the tick.
     pub fn of_wrapper(design: &Design, options: &Options) -> Bench {
         let ports = hdl::port_names(design, options);
-        Bench::new(ports.wrapper.clone(), ports, 1)
+        Bench::new(ports.wrapper.clone(), ports, 1, options)
     }
 
-    fn new(module: String, ports: PortNames, skip: usize) -> Bench {
+    fn new(module: String, ports: PortNames, skip: usize, options: &Options) -> Bench {
         Bench {
             module,
             reset: ports.reset,
+            // The wrapper brings the reset into the clock's time.
+            is_async: options.reset == ResetStyle::AsyncLow && skip == 0,
+            resets: vec![0],
             inputs: ports.inputs.into_iter().skip(skip).collect(),
             outputs: ports.outputs,
         }
@@ -73,7 +86,8 @@ impl Bench {
     fn verilog(&self, number: usize, rows: &[Vec<u64>]) -> String {
         let reset = self.reset;
         let on = u32::from(reset == "rst");
-        let mut text = format!("module bench_{number};\n  reg clk = 0;\n  reg {reset} = {on};\n");
+        let mut text =
+            format!("module bench_{number};\n  reg clk = 0;\n  reg {reset} = {};\n", 1 - on);
         let mut connections = format!(".clk(clk), .{reset}({reset})");
         for PortName { name, width, .. } in &self.inputs {
             writeln!(text, "  reg [{}:0] {name} = 0;", width - 1).expect("fits");
@@ -91,8 +105,12 @@ impl Bench {
             }
         }
         writeln!(text, "  {} dut ({connections});\n  initial begin", self.module).expect("fits");
-        writeln!(text, "    #1 clk = 1; #1 clk = 0; {reset} = {};", 1 - on).expect("fits");
-        for row in rows {
+        let clock = if self.is_async { "" } else { " clk = 1; #1 clk = 0;" };
+        for (at, row) in rows.iter().enumerate() {
+            if self.resets.contains(&at) {
+                writeln!(text, "    #1 {reset} = {on}; #1{clock} {reset} = {};", 1 - on)
+                    .expect("fits");
+            }
             for (PortName { name, width, .. }, bits) in self.driven(row) {
                 writeln!(text, "    {name} = {width}'b{bits};").expect("fits");
             }
@@ -107,7 +125,7 @@ impl Bench {
         let on = u32::from(reset == "rst");
         let mut text = IMAGES.replace("bench", &format!("bench_{number}"));
         let mut connections = format!("clk => clk, {reset} => {reset}");
-        writeln!(text, "signal {reset} : std_logic := '{on}';").expect("fits");
+        writeln!(text, "signal {reset} : std_logic := '{}';", 1 - on).expect("fits");
         for PortName { name, width, .. } in &self.inputs {
             let zero = literal(&"0".repeat(*width as usize));
             writeln!(text, "signal {name} : {} := {zero};", subtype(*width)).expect("fits");
@@ -129,9 +147,13 @@ impl Bench {
         writeln!(text, "process\nprocedure show is variable l : line; begin\nwrite(l, string'(\"{number} \"));\n{shown}")
             .expect("fits");
         text.push_str("writeline(output, l); end procedure;\nbegin\n");
-        text.push_str("wait for 1 ns; clk <= '1'; wait for 1 ns; clk <= '0';\n");
-        writeln!(text, "{reset} <= '{}';", 1 - on).expect("fits");
-        for row in rows {
+        let clock = if self.is_async { "" } else { " clk <= '1'; wait for 1 ns; clk <= '0';" };
+        for (at, row) in rows.iter().enumerate() {
+            if self.resets.contains(&at) {
+                writeln!(text, "wait for 1 ns; {reset} <= '{on}'; wait for 1 ns;{clock}")
+                    .expect("fits");
+                writeln!(text, "{reset} <= '{}';", 1 - on).expect("fits");
+            }
             for (PortName { name, .. }, bits) in self.driven(row) {
                 writeln!(text, "{name} <= {};", literal(&bits)).expect("fits");
             }

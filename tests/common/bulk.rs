@@ -23,12 +23,14 @@ struct Subject {
     design: Valid<Design>,
     options: Options,
     rows: Vec<Vec<u64>>,
+    /// The rows before which it is reset.
+    resets: Vec<usize>,
     meant: String,
 }
 
 /// Runs the programs of these seeds for that many scans on random inputs and ticks in the simulator
-/// of a language, all that has a name shown: for each what is wrong. Nothing if the tool is
-/// missing.
+/// of a language, all that has a name shown: for each what is wrong. In the middle there is a reset,
+/// at the start only for every other program. Nothing if the tool is missing.
 ///
 /// # Panics
 /// If the tool refuses one of them.
@@ -41,8 +43,10 @@ pub fn simulate(language: Language, seeds: &[u64], scans: usize) -> Option<Vec<O
         write(&folder.path().join(file), subject, language);
     }
     let files: Vec<&str> = files.iter().map(String::as_str).collect();
-    let benches: Vec<Bench> =
-        subjects.iter().map(|subject| Bench::of_core(&subject.design, &subject.options)).collect();
+    let bench = |subject: &Subject| {
+        Bench::of_core(&subject.design, &subject.options).reset_before(&subject.resets)
+    };
+    let benches: Vec<Bench> = subjects.iter().map(bench).collect();
     let driven: Vec<(&Bench, &[Vec<u64>])> =
         benches.iter().zip(&subjects).map(|(bench, subject)| (bench, &subject.rows[..])).collect();
     let shown = bench::run_all(language, folder.path(), &files, &driven)?;
@@ -79,7 +83,11 @@ fn subject(seed: u64, scans: usize) -> Subject {
     let mut random = Rng::with_seed(seed);
     let mut evaluator = Evaluator::new(&program);
     let (mut rows, mut meant) = (Vec::new(), String::new());
-    for _ in 0..=scans {
+    let resets = [&[0][(seed % 2) as usize..], &[scans / 2]].concat();
+    for scan in 0..=scans {
+        if resets.contains(&scan) {
+            evaluator = Evaluator::new(&program);
+        }
         // Outputs are registers: before the clock they show the scan before.
         for &output in &outputs {
             let ty = program.variables[output].ty;
@@ -90,7 +98,7 @@ fn subject(seed: u64, scans: usize) -> Subject {
         rows.push(drive(&program, &mut evaluator, &mut random));
     }
     let reset = RESETS[(seed % 3) as usize];
-    Subject { design, options: Options { reset, ..Options::default() }, rows, meant }
+    Subject { design, options: Options { reset, ..Options::default() }, rows, resets, meant }
 }
 
 /// Drives some inputs at random and runs a scan; the values of the hardware's ports.
