@@ -3,10 +3,10 @@
 mod common;
 
 use common::emulated::{self, compile};
-use common::{amount, checks, lp, relay, trees};
+use common::{amount, analyze, checks, lp, relay, trees};
 use fastrand::Rng;
 use hotrail::backend::processor::{
-    self, Bridge, Contact, Machine, Operation, Tree, Word, decode, encode,
+    self, Bridge, Contact, Machine, Operation, Sizes, Tree, Word, decode, encode,
 };
 use hotrail::eval::Evaluator;
 use hotrail::model::{Role, VariableId};
@@ -217,4 +217,57 @@ fn bits_of_words_are_assigned() {
     let (program, image) = compile(text).unwrap_or_else(|findings| panic!("{findings}"));
     let wrong = emulated::difference(&program, &image, 2000, Rng::with_seed(1));
     assert_eq!(wrong, None);
+}
+
+/// Declarations or rungs, a line for each.
+fn lines(count: usize, line: impl Fn(usize) -> String) -> String {
+    (0..count).map(|number| line(number) + "\n").collect()
+}
+
+#[test]
+fn a_full_processor_takes_no_more() {
+    let outputs = |count: usize| lines(count, |n| format!("output y{n}"));
+    let rungs = |count: usize| lines(count, |n| format!("rung a (y{n})"));
+    let blocks = |count: usize, call: &str| {
+        outputs(count) + &lines(count, |n| format!("rung a b{n}:{call} (y{n})"))
+    };
+    let programs: [(usize, &str, &dyn Fn(usize) -> String); 8] = [
+        (64, "timers and counters", &|count| blocks(count, "TON(PT := 1s)")),
+        (16, "drums", &|count| blocks(count, "DRUM(PV := 4, EN := a, TAPS := [1])")),
+        (32, "shift functions", &|count| {
+            format!("var w : WORD\n{}", blocks(count, "SHL(REG := w, DATA := a)"))
+        }),
+        (255, "inputs", &|count| {
+            lines(count, |n| format!("input x{n}")) + &outputs(1) + "rung a x254 (y0)\n"
+        }),
+        (256, "outputs", &|count| outputs(count) + &rungs(count)),
+        (511, "flags", &|count| lines(count, |n| format!("var v{n}\nrung a (v{n})"))),
+        // A quarter of 512 registers: for each drum its steps and its taps.
+        (128, "registers for presets", &|count| {
+            let drum = |n: usize, taps: usize| {
+                let taps = vec!["1"; taps].join(", ");
+                format!("rung a d{n}:DRUM(PV := 4, EN := a, TAPS := [{taps}])")
+            };
+            lines(14, |n| drum(n, 8)) + &drum(14, count - 14 * 9 - 1)
+        }),
+        (1024, "words", &|count| {
+            outputs(1)
+                + &lines(510, |_| "rung a (y0)".to_owned())
+                + "rung"
+                + &" a".repeat(count - 1022)
+                + " (y0)"
+        }),
+    ];
+    for (most, what, program) in programs {
+        let registers = if what.contains("presets") { 512 } else { 2047 };
+        let sizes = Sizes { registers, ..Sizes::default() };
+        let messages = |count: usize| {
+            let text = format!("ladder full tick 100ms input a\n{}", program(count));
+            let program = analyze("test.ladder", &text).unwrap_or_else(|found| panic!("{found}"));
+            let findings = processor::compile_for(&program, &[], sizes).err().unwrap_or_default();
+            findings.into_iter().map(|found| found.message).collect::<String>()
+        };
+        assert_eq!(messages(most), "", "{what}");
+        assert!(messages(most + 1).contains(what), "{what}: {}", messages(most + 1));
+    }
 }

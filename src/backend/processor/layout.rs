@@ -159,7 +159,7 @@ impl Layout {
             let message = format!("the ladder processor has {most} registers for presets");
             return Err(full(span, message)
                 .label("no register is left for this")
-                .help("build it with --emit verilog or vhdl")
+                .help(no_room_help(self.sizes))
                 .into());
         }
         for (register, name) in (first..).zip(names) {
@@ -185,7 +185,7 @@ impl Layout {
             let message = format!("the ladder processor has {count} registers for words");
             return Err(full(span, message)
                 .label("no register is left for this")
-                .help("build it with --emit verilog or vhdl")
+                .help(no_room_help(self.sizes))
                 .into());
         };
         self.next_word = first + many as u16;
