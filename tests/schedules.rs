@@ -6,8 +6,9 @@ mod common;
 use common::scheduled::differences;
 use common::{amount, analyze, checks};
 use hotrail::backend::hdl;
-use hotrail::circuit::Simulator;
+use hotrail::circuit::{Net, Simulator};
 use hotrail::expand::{self, Schedule};
+use hotrail::model::Program;
 
 #[test]
 fn random_programs() {
@@ -30,6 +31,42 @@ fn examples() {
             assert_eq!(differences(&program, 400, seed), None, "{name}, inputs {seed}");
         }
     }
+}
+
+/// The most gates from registers and inputs to a register.
+fn depth(program: &Program, schedule: Schedule) -> u32 {
+    let options = expand::Options { schedule, ..expand::Options::default() };
+    let design = hotrail::compile(program, &options);
+    let circuit = design.top();
+    let mut depths: Vec<u32> = Vec::new();
+    for (_, cell) in circuit.cells() {
+        let mut before = 0;
+        let mut is_gate = false;
+        circuit.for_each_operand(cell, |net| {
+            is_gate = true;
+            before = before.max(depths[net.into_raw().into_u32() as usize]);
+        });
+        depths.push(before + u32::from(is_gate));
+    }
+    let net = |net: Net| depths[net.into_raw().into_u32() as usize];
+    circuit.roots().map(net).max().expect("there are registers")
+}
+
+/// What the schedules are for.
+#[test]
+fn a_clock_is_as_long_as_a_rung() {
+    let chain = |rungs: usize| {
+        let mut text = "ladder chain input x, v0 output ".to_owned();
+        let names: Vec<String> = (1..=rungs).map(|n| format!("v{n}")).collect();
+        text += &names.join(", ");
+        (0..rungs).for_each(|n| text += &format!("\nrung [ v{n} | v{} !x ] (v{})", n + 1, n + 1));
+        analyze("chain.ladder", &text).unwrap()
+    };
+    for schedule in [Schedule::Levels, Schedule::Serial] {
+        let (short, long) = (depth(&chain(3), schedule), depth(&chain(40), schedule));
+        assert_eq!(short, long, "{schedule:?}");
+    }
+    assert!(depth(&chain(40), Schedule::Flat) > 40);
 }
 
 /// What stands in a fenced block of the page behind a line.
