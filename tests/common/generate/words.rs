@@ -191,11 +191,17 @@ impl Generator {
                 }
             }
             5 | 6 if !is_pattern => {
-                let (a, b) = (number(self), number(self));
+                let operator = self.random.pick(&["*", "*", "/", "MOD"]);
+                let a = number(self);
+                let b = match operator {
+                    // Divisors that are constant powers of two are circuits of their own.
+                    "/" | "MOD" if self.random.bool() => self.divisor(ty).to_owned(),
+                    _ => number(self),
+                };
                 if [&a, &b].into_iter().all(|side| self.is_literal(side)) {
                     return None;
                 }
-                format!("({a} {} {b})", self.random.pick(&["*", "*", "/", "MOD"]))
+                format!("({a} {operator} {b})")
             }
             7 => {
                 let wanted = ty.to_owned();
@@ -203,6 +209,13 @@ impl Generator {
             }
             _ => return None,
         })
+    }
+
+    fn divisor(&mut self, ty: &str) -> &'static str {
+        match ty {
+            "INT" | "DINT" => self.random.pick(&["2", "4", "16", "10", "-8", "-1", "16384"]),
+            _ => self.random.pick(&["2", "4", "16", "10", "32768"]),
+        }
     }
 
     fn numbers_and_bits(&self) -> Vec<String> {
