@@ -231,7 +231,8 @@ fn a_full_processor_takes_no_more() {
     let blocks = |count: usize, call: &str| {
         outputs(count) + &lines(count, |n| format!("rung a b{n}:{call} (y{n})"))
     };
-    let programs: [(usize, &str, &dyn Fn(usize) -> String); 8] = [
+    type Filled<'a> = (usize, &'a str, &'a dyn Fn(usize) -> String);
+    let programs: [Filled; 8] = [
         (64, "timers and counters", &|count| blocks(count, "TON(PT := 1s)")),
         (16, "drums", &|count| blocks(count, "DRUM(PV := 4, EN := a, TAPS := [1])")),
         (32, "shift functions", &|count| {
