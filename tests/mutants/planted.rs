@@ -15,15 +15,13 @@ use fastrand::Rng;
 /// The checks that run what a part of the compiler makes, and the seeds from where to where.
 fn checks(part: &str) -> &'static [(Check, u64, u64)] {
     match part {
-        "circuit" => {
-            &[
-                (CIRCUIT, 0, 10),
-                (SCHEDULES, 0, 10),
-                (ORDER, 0, 20),
-                (CIRCUIT, 10, 200),
-                (SCHEDULES, 10, 100),
-            ]
-        }
+        "circuit" => &[
+            (CIRCUIT, 0, 10),
+            (SCHEDULES, 0, 10),
+            (ORDER, 0, 20),
+            (CIRCUIT, 10, 200),
+            (SCHEDULES, 10, 100),
+        ],
         "order" => &[(ORDER, 0, 20), (SCHEDULES, 0, 20), (ORDER, 20, 250)],
         "hdl" => &[(ICARUS, 0, 6), (GHDL, 0, 6), (ICARUS, 6, 31), (GHDL, 6, 31)],
         "processor" => {
