@@ -6,8 +6,9 @@ use std::path::Path;
 use std::process::Command;
 
 use common::recorded::with_recorded_test;
-use common::{amount, checks, examples, generate, require_tool, run};
+use common::{amount, bulk, checks, examples, generate, require_tool, run};
 use fastrand::Rng;
+use hotrail::backend::hdl::Language;
 use hotrail::source::Source;
 
 const HOTRAIL: &str = env!("CARGO_BIN_EXE_hotrail");
@@ -237,6 +238,12 @@ fn random_programs_run_in_simulators_as_in_the_evaluator() {
             check_quietly(folder.path(), &name);
         }
     }
+}
+
+#[test]
+fn kept_programs_run_in_simulators_as_in_the_evaluator() {
+    bulk::hold_kept_programs(Language::Verilog);
+    bulk::hold_kept_programs(Language::Vhdl);
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Many random programs in one run of a simulator.
+//! Many programs in one run of a simulator.
 
 use std::fmt::Write;
 use std::fs;
@@ -14,7 +14,7 @@ use hotrail::model::{Program, Role, VariableId};
 use super::bench::{self, Bench};
 use super::dice::Dice;
 use super::lockstep::inner_variables;
-use super::{analyze, generate};
+use super::{analyze, kept_paths};
 
 const RESETS: [ResetStyle; 3] = [ResetStyle::SyncHigh, ResetStyle::SyncLow, ResetStyle::AsyncLow];
 
@@ -28,17 +28,23 @@ struct Subject {
     meant: String,
 }
 
-/// Runs the programs of these seeds for that many scans on random inputs and ticks in the simulator
-/// of a language, all that has a name shown: for each what is wrong. In the middle there is a reset,
-/// at the start only for every other program. Nothing if the tool is missing.
+/// Runs programs, each on the inputs and ticks of a seed, for that many scans in the simulator of a
+/// language, all that has a name shown: for each what is wrong. In the middle there is a reset, at the
+/// start only if the seed is even. Nothing if the tool is missing.
 ///
 /// # Panics
 /// If the tool refuses one of them.
-pub fn simulate(language: Language, seeds: &[u64], scans: usize) -> Option<Vec<Option<String>>> {
-    let subjects: Vec<Subject> = seeds.iter().map(|&seed| subject(seed, scans)).collect();
+pub fn simulate(
+    language: Language,
+    programs: &[(u64, String)],
+    scans: usize,
+) -> Option<Vec<Option<String>>> {
+    let subjects: Vec<Subject> =
+        programs.iter().map(|(seed, text)| subject(*seed, text, scans)).collect();
     let folder = tempfile::tempdir().expect("can make a folder");
     let ending = if language == Language::Verilog { "v" } else { "vhd" };
-    let files: Vec<String> = seeds.iter().map(|seed| format!("random_{seed}.{ending}")).collect();
+    let files: Vec<String> =
+        (0..programs.len()).map(|number| format!("program_{number}.{ending}")).collect();
     for (subject, file) in subjects.iter().zip(&files) {
         write(&folder.path().join(file), subject, language);
     }
@@ -52,6 +58,20 @@ pub fn simulate(language: Language, seeds: &[u64], scans: usize) -> Option<Vec<O
     let shown = bench::run_all(language, folder.path(), &files, &driven)?;
     let compare = |(subject, shown): (&Subject, &String)| first_difference(&subject.meant, shown);
     Some(subjects.iter().zip(&shown).map(compare).collect())
+}
+
+/// Runs the kept programs in the simulator of a language, if it is there.
+///
+/// # Panics
+/// If one of them is wrong.
+pub fn hold_kept_programs(language: Language) {
+    let paths = kept_paths();
+    let programs: Vec<(u64, String)> =
+        (0..).zip(&paths).map(|(seed, path)| (seed, fs::read_to_string(path).unwrap())).collect();
+    let Some(found) = simulate(language, &programs, 200) else { return };
+    for (path, wrong) in paths.iter().zip(found) {
+        assert_eq!(wrong, None, "{}", path.display());
+    }
 }
 
 fn write(path: &Path, subject: &Subject, language: Language) {
@@ -68,9 +88,8 @@ fn first_difference(meant: &str, shown: &str) -> Option<String> {
     }
 }
 
-fn subject(seed: u64, scans: usize) -> Subject {
-    let text = generate::program(seed);
-    let program = analyze("random.ladder", &text).unwrap_or_else(|findings| panic!("{findings}"));
+fn subject(seed: u64, text: &str, scans: usize) -> Subject {
+    let program = analyze("random.ladder", text).unwrap_or_else(|findings| panic!("{findings}"));
     let options =
         expand::Options { observe: inner_variables(&program), ..expand::Options::default() };
     let design = hotrail::compile(&program, &options);

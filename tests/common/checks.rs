@@ -295,33 +295,33 @@ fn metamorphic(seed: u64) -> Outcome {
 const SIMULATED: usize = 100;
 
 fn simulators(language: Language, seeds: Range<u64>) -> Tally {
-    let list: Vec<u64> = seeds.collect();
+    let list: Vec<(u64, String)> = seeds.map(|seed| (seed, generate::program(seed))).collect();
     let programs = list.len() as u64;
     let mut tally = Tally { programs, scans: programs * SIMULATED as u64, ..Tally::default() };
-    let run = |seeds: &[u64]| {
-        let found = caught(|| bulk::simulate(language, seeds, SIMULATED))?;
+    let run = |programs: &[(u64, String)]| {
+        let found = caught(|| bulk::simulate(language, programs, SIMULATED))?;
         Ok::<_, String>(found.expect("the tool is there"))
     };
-    let failed = |seed: u64, text: String| {
-        let text = format!("{text}; the program:\n{}", generate::program(seed));
-        Failure { seed, text }
+    let failed = |(seed, program): &(u64, String), text: String| Failure {
+        seed: *seed,
+        text: format!("{text}; the program:\n{program}"),
     };
     match run(&list) {
         Ok(found) => {
             let wrong = list.iter().zip(found);
-            tally.failures = wrong.filter_map(|(&seed, text)| Some(failed(seed, text?))).collect();
+            tally.failures = wrong.filter_map(|(one, text)| Some(failed(one, text?))).collect();
         }
         // One of them was refused: which one shows alone.
         Err(refused) => {
-            for &seed in &list {
-                let text = match run(&[seed]) {
+            for one in &list {
+                let text = match run(std::slice::from_ref(one)) {
                     Ok(found) => found.into_iter().flatten().next(),
                     Err(text) => Some(text),
                 };
-                tally.failures.extend(text.map(|text| failed(seed, text)));
+                tally.failures.extend(text.map(|text| failed(one, text)));
             }
             if tally.failures.is_empty() {
-                tally.failures.push(failed(list[0], format!("refused with others: {refused}")));
+                tally.failures.push(failed(&list[0], format!("refused with others: {refused}")));
             }
         }
     }

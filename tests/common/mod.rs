@@ -107,17 +107,22 @@ pub fn example_programs() -> impl Iterator<Item = (String, Program)> {
     examples().into_iter().map(|example| checked(&example.ladder))
 }
 
-/// Programs that once showed a mistake, with their paths: `tests/lockstep`. They are kept as texts,
-/// because a change to the generator changes what a seed means.
+/// Programs that once showed a mistake, or show what chance seldom brings, with their paths:
+/// `tests/lockstep`. They are kept as texts, because a change to the generator changes what a seed means.
 ///
 /// # Panics
 /// If there is none.
 pub fn kept_programs() -> impl Iterator<Item = (String, Program)> {
+    kept_paths().into_iter().map(|path| checked(&path))
+}
+
+/// Where the kept programs are, in order of their names.
+pub fn kept_paths() -> Vec<PathBuf> {
     let entries = std::fs::read_dir("tests/lockstep").expect("there are kept programs");
     let mut paths: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
     paths.sort();
     assert!(!paths.is_empty());
-    paths.into_iter().map(|path| checked(&path))
+    paths
 }
 
 fn checked(path: &Path) -> (String, Program) {

@@ -5,12 +5,11 @@
 #[path = "../common/mod.rs"]
 mod common;
 
-use std::path::Path;
-
 use common::checks::{CIRCUIT, Check, GHDL, ICARUS, ORDER, PROCESSOR, SCHEDULES, TREES};
 use common::lockstep::difference;
-use common::{analyze, scheduled};
+use common::{bulk, scheduled};
 use fastrand::Rng;
+use hotrail::backend::hdl::Language;
 
 /// The checks that run what a part of the compiler makes, and the seeds from where to where.
 fn checks(part: &str) -> &'static [(Check, u64, u64)] {
@@ -31,26 +30,29 @@ fn checks(part: &str) -> &'static [(Check, u64, u64)] {
     }
 }
 
+/// Programs that are kept because chance seldom brings them, and examples.
+fn hold_kept(part: &str) {
+    match part {
+        "hdl" => [Language::Verilog, Language::Vhdl].into_iter().for_each(bulk::hold_kept_programs),
+        "circuit" => {
+            for (name, program) in common::kept_programs().chain(common::example_programs()) {
+                assert_eq!(difference(&program, 200, Rng::with_seed(1)), None, "{name}");
+                assert_eq!(scheduled::differences(&program, 100, 1), None, "{name}");
+            }
+        }
+        _ => {}
+    }
+}
+
 #[test]
 fn the_executors_agree() {
     let part = std::env::var("HOTRAIL_PLANTED").expect("HOTRAIL_PLANTED names a part");
+    hold_kept(&part);
     for (check, first, end) in checks(&part) {
         assert!(check.can_run());
         let tally = check.run(*first..*end);
         if let Some(failure) = tally.failures.first() {
             panic!("{}: seed {}, {}", check.shows, failure.seed, failure.text);
         }
-    }
-    if part != "circuit" {
-        return;
-    }
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/lockstep");
-    let kept = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
-    for path in kept.chain(common::examples().into_iter().map(|example| example.ladder)) {
-        let name = path.display().to_string();
-        let text = std::fs::read_to_string(&path).unwrap();
-        let program = analyze(&name, &text).unwrap_or_else(|findings| panic!("{findings}"));
-        assert_eq!(difference(&program, 200, Rng::with_seed(1)), None, "{name}");
-        assert_eq!(scheduled::differences(&program, 100, 1), None, "{name}");
     }
 }
