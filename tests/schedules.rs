@@ -69,6 +69,29 @@ fn a_clock_is_as_long_as_a_rung() {
     assert!(depth(&chain(40), Schedule::Flat) > 40);
 }
 
+/// Names of the flip-flops that step through a scan, and the level behind the head of each rung.
+#[test]
+fn the_text_tells_what_acts_in_which_clock() {
+    let text = "ladder belt input a output x, y, z rung a (x) (z) rung x (y) rung y (S z)";
+    let program = analyze("belt.ladder", text).unwrap();
+    let print = |schedule: Schedule| {
+        let options = expand::Options { schedule, ..expand::Options::default() };
+        let design = hotrail::compile(&program, &options);
+        hdl::print(&design, hdl::Language::Verilog, &hdl::Options::default())
+    };
+    let levels = print(Schedule::Levels);
+    for said in [
+        "rung 1, :1, level 1",
+        "rung 2, :1, level 2",
+        "rung 3, :1, level 3",
+        "level_1_or_3 = level_1 | level_3;",
+    ] {
+        assert!(levels.contains(said), "{said}:\n{levels}");
+    }
+    let serial = print(Schedule::Serial);
+    assert!(serial.contains("rung_2") && !serial.contains("level"), "{serial}");
+}
+
 /// What stands in a fenced block of the page behind a line.
 fn block<'t>(page: &'t str, line: &str) -> &'t str {
     let (_, behind) = page.split_once(line).unwrap_or_else(|| panic!("no {line}"));
