@@ -171,12 +171,19 @@ fn random_programs_on_the_smallest_machines() {
     for seed in 0..amount("HOTRAIL_RANDOM_PROGRAMS", 1000) / 10 {
         let depth = [2, 3, 4, 6][seed as usize % 4];
         let Some((program, image)) = lp::smallest(&relay::program(seed), depth) else { continue };
-        assert!(image.rom.needs().stack_depth <= depth);
+        assert!(image.needs().stack_depth <= depth);
         let wrong = emulated::difference(&program, &image, 40, Rng::with_seed(seed));
         assert_eq!(wrong, None, "seed {seed}, stacks of {depth}");
         ran += 1;
     }
     assert!(ran > 50, "{ran}");
+}
+
+/// The host reads and writes it, so the smallest processor for the program has it.
+#[test]
+fn a_variable_that_no_rung_names_needs_its_place() {
+    let (_, image) = compile("ladder spare input a output y var v at 585 rung a (y)").unwrap();
+    assert_eq!((image.rom.needs().image_bits, image.needs().image_bits), (8, 256));
 }
 
 /// The function paper's example: three registers, 0 enters at the low end.

@@ -57,7 +57,8 @@ pub fn run(options: &Options, report: &mut Report) -> anyhow::Result<Verdict> {
     let text = match options.shown {
         Shown::Listing => {
             let none = |_| None;
-            let symbols = Symbols { bit: &none, register: &none, heading: &|_| None };
+            let symbols =
+                Symbols { bit: &none, register: &none, needs: rom.needs(), heading: &|_| None };
             processor::listing(&rom, &symbols)
         }
         Shown::Ladder => processor::ladder(&rom, &name(&options.file)).map_err(|at| {

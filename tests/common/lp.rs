@@ -48,7 +48,7 @@ fn image_for(text: &str, sizes: Sizes) -> Option<(Program, Image)> {
 /// The same for the smallest processor with stacks of so many bits.
 pub fn smallest(text: &str, stack_depth: usize) -> Option<(Program, Image)> {
     let usual = Sizes { stack_depth, ..Sizes::default() };
-    let needs = image_for(text, usual)?.1.rom.needs();
+    let needs = image_for(text, usual)?.1.needs();
     // Words have another place where there are few registers.
     let registers = (3..11).map(|bits| 1 << bits).chain([2047]);
     let sizes = |registers| Sizes { registers, stack_depth, ..needs };

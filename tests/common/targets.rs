@@ -73,7 +73,8 @@ fn run(rom: &Rom) {
         return;
     };
     let none = |_| None;
-    let symbols = Symbols { bit: &none, register: &none, heading: &|_| None };
+    let needs = rom.needs();
+    let symbols = Symbols { bit: &none, register: &none, needs, heading: &|_| None };
     processor::listing(rom, &symbols);
     (0..5).for_each(|scan| machine.scan(scan % 2 == 0));
     if let Ok(ladder) = processor::ladder(rom, "fuzz") {

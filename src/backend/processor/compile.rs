@@ -28,6 +28,15 @@ pub struct Image {
 }
 
 impl Image {
+    /// The smallest processor that holds what the words name and what the program declares: a
+    /// variable that no rung names is there for the host.
+    pub fn needs(&self) -> Sizes {
+        let mut needs = self.rom.needs();
+        self.layout.bit_names.keys().for_each(|&bit| needs.need_bit(bit));
+        self.layout.register_names.keys().for_each(|&register| needs.need_register(register));
+        needs
+    }
+
     /// The listing with the names of the program and its rungs.
     pub fn listing(&self, program: &Program, source: &str) -> String {
         let heading = |at: usize| {
@@ -43,6 +52,7 @@ impl Image {
         let symbols = Symbols {
             bit: &|address| self.layout.bit_names.get(&address).cloned(),
             register: &|register| self.layout.register_names.get(&register).cloned(),
+            needs: self.needs(),
             heading: &heading,
         };
         listing(&self.rom, &symbols)

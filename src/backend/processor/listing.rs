@@ -6,6 +6,7 @@ use std::fmt::Write;
 use super::decode::decode;
 use super::emulator::clocks_of_scan;
 use super::rom::{Rom, region};
+use super::sizes::Sizes;
 use super::tree::{Contact, Tree};
 use super::word::{Address, FIRST_FLAG, FIRST_OUTPUT, ONE, Operation, Prefix, TimerType, Word};
 use crate::quantity;
@@ -16,6 +17,8 @@ pub struct Symbols<'a> {
     pub bit: &'a dyn Fn(Address) -> Option<String>,
     /// What each register is called.
     pub register: &'a dyn Fn(u16) -> Option<String>,
+    /// The smallest processor that holds it.
+    pub needs: Sizes,
     /// The line to be put before a word, such as the title of its rung.
     pub heading: &'a dyn Fn(usize) -> Option<String>,
 }
@@ -33,7 +36,7 @@ pub fn listing(rom: &Rom, symbols: &Symbols<'_>) -> String {
     )
     .expect("fits");
     writeln!(text, "{} clocks a scan", clocks_of_scan(rom)).expect("fits");
-    writeln!(text, "at least {}\n", needs(rom)).expect("fits");
+    writeln!(text, "at least {}\n", needs(rom, symbols.needs)).expect("fits");
     writeln!(text, "addr  word  what       attribute            at").expect("fits");
     for (at, &bits) in rom.code.iter().enumerate() {
         if let Some(heading) = (symbols.heading)(at) {
@@ -60,14 +63,14 @@ pub fn listing(rom: &Rom, symbols: &Symbols<'_>) -> String {
     text
 }
 
-/// The parameters of the smallest hardware that can run it.
-fn needs(rom: &Rom) -> String {
+/// The parameters of the hardware that it needs.
+fn needs(rom: &Rom, sizes: Sizes) -> String {
     let operations = rom.code.iter().filter_map(|&bits| match Word::decode(bits) {
         Ok(Word::Output { operation, .. }) => operation.parameter(),
         _ => None,
     });
     let functions: BTreeSet<&str> = operations.collect();
-    let named = rom.needs().named().into_iter();
+    let named = sizes.named().into_iter();
     // Without functions there is no register array.
     let sizes = named.filter(|(name, _)| *name != "REGISTERS" || !functions.is_empty());
     let mut parts: Vec<String> = sizes.map(|(name, size)| format!("{name} {size}")).collect();
