@@ -1,7 +1,7 @@
 //! The reference evaluator and the simulated circuit, scan by scan on random inputs and ticks.
 
 use fastrand::Rng;
-use hotrail::circuit::{FastSimulator, LANES, LaneSimulator, Simulator};
+use hotrail::circuit::{Design, FastSimulator, LANES, LaneSimulator, Output, Simulator, Valid};
 use hotrail::eval::Evaluator;
 use hotrail::expand;
 use hotrail::model::{Program, Role, Variable, VariableId};
@@ -16,18 +16,31 @@ pub fn inner_variables(program: &Program) -> Vec<VariableId> {
     program.variables.iter().filter(|(_, variable)| is_inner(variable)).map(|(id, _)| id).collect()
 }
 
-/// The first output of a circuit that is not what the evaluator says.
-fn wrong_output(
-    program: &Program,
-    evaluator: &Evaluator<'_>,
-    circuit: &Simulator,
-) -> Option<String> {
-    circuit.circuit().outputs.iter().enumerate().find_map(|(port, output)| {
-        let variable = program.variable_named(&output.name).expect("ports bear user's names");
-        let meant = program.variables[variable].ty.bits(evaluator.value(variable));
-        let shown = circuit.output(port);
-        (shown != meant).then(|| format!("{} is {meant}, shown is {shown}", output.name))
-    })
+/// The plain simulation of a circuit beside the evaluator.
+struct Plain<'a> {
+    program: &'a Program,
+    circuit: Simulator,
+    /// The variable that each output shows.
+    shown: Vec<VariableId>,
+}
+
+impl<'a> Plain<'a> {
+    fn new(program: &'a Program, design: &Valid<Design>) -> Plain<'a> {
+        let variable = |output: &Output| program.variable_named(&output.name);
+        let outputs = design.top().outputs.iter();
+        let shown = outputs.map(|output| variable(output).expect("ports bear user's names"));
+        Plain { program, circuit: Simulator::new(design), shown: shown.collect() }
+    }
+
+    /// The first output that is not what the evaluator says.
+    fn wrong_output(&self, evaluator: &Evaluator<'_>) -> Option<String> {
+        self.shown.iter().enumerate().find_map(|(port, &variable)| {
+            let Variable { name, ty, .. } = &self.program.variables[variable];
+            let meant = ty.bits(evaluator.value(variable));
+            let shown = self.circuit.output(port);
+            (shown != meant).then(|| format!("{name} is {meant}, shown is {shown}"))
+        })
+    }
 }
 
 /// How many scans of a run the fast simulations go with.
@@ -48,19 +61,14 @@ struct Fast {
 }
 
 impl Fast {
-    fn new(program: &Program, mut random: Rng) -> Fast {
-        let design = |observe| {
-            let options = expand::Options { observe, ..expand::Options::default() };
-            hotrail::compile(program, &options)
-        };
-        let (all, shipped) = (design(inner_variables(program)), design(Vec::new()));
+    fn new(all: &Valid<Design>, shipped: &Valid<Design>, mut random: Rng) -> Fast {
         Fast {
-            single: FastSimulator::new(&all),
-            lanes: LaneSimulator::new(&all),
+            single: FastSimulator::new(all),
+            lanes: LaneSimulator::new(all),
             lane: random.usize(1..LANES),
-            alone: FastSimulator::new(&all),
+            alone: FastSimulator::new(all),
             held: vec![0; all.top().inputs.len()],
-            shipped: LaneSimulator::new(&shipped),
+            shipped: LaneSimulator::new(shipped),
             random,
         }
     }
@@ -114,13 +122,14 @@ impl Fast {
 /// Runs both for that many scans on random inputs and ticks and compares every named variable;
 /// says what differs.
 pub fn difference(program: &Program, scans: usize, mut random: Rng) -> Option<String> {
-    let circuit = |observe| {
+    let design = |observe| {
         let options = expand::Options { observe, ..expand::Options::default() };
-        Simulator::new(&hotrail::compile(program, &options))
+        hotrail::compile(program, &options)
     };
     // What is shipped has lost what no output needs; the other shows all that has a name.
-    let mut circuits = [circuit(Vec::new()), circuit(inner_variables(program))];
-    let mut fast = Some(Fast::new(program, random.fork()));
+    let (shipped, all) = (design(Vec::new()), design(inner_variables(program)));
+    let mut circuits = [&shipped, &all].map(|design| Plain::new(program, design));
+    let mut fast = Some(Fast::new(&all, &shipped, random.fork()));
     let mut evaluator = Evaluator::new(program);
     let inputs: Vec<VariableId> = program.with_role(Role::Input).map(|(id, _)| id).collect();
     let tick_one_in = random.u8(1..4);
@@ -140,13 +149,13 @@ pub fn difference(program: &Program, scans: usize, mut random: Rng) -> Option<St
         if let Some(wrong) = fast.as_mut().and_then(|fast| fast.scan(&bits)) {
             return Some(format!("scan {scan}: {wrong}"));
         }
-        for circuit in &mut circuits {
-            circuit.settle(&bits);
-            circuit.clock();
-            let outputs = 0..circuit.circuit().outputs.len();
-            let is_wrong = |fast: &Fast| outputs.clone().find(|&port| !fast.shows(port, circuit));
+        for plain in &mut circuits {
+            plain.circuit.settle(&bits);
+            plain.circuit.clock();
+            let mut outputs = 0..plain.shown.len();
+            let is_wrong = |fast: &Fast| outputs.find(|&port| !fast.shows(port, &plain.circuit));
             let differs = fast.as_ref().and_then(is_wrong);
-            let wrong = wrong_output(program, &evaluator, circuit).or_else(|| {
+            let wrong = plain.wrong_output(&evaluator).or_else(|| {
                 differs.map(|port| format!("output {port} differs in a fast simulation"))
             });
             if wrong.is_some() {
