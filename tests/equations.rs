@@ -9,7 +9,7 @@ use common::{amount, generate};
 use fastrand::Rng;
 use hotrail::equations::{self, Graph, Kind};
 use hotrail::eval::Evaluator;
-use hotrail::model::{BinaryOp, Function, Program, Role, VariableId, convert};
+use hotrail::model::{BinaryOp, Function, Names, Program, Role, VariableId, convert};
 use hotrail::report::Report;
 use hotrail::source::Source;
 use hotrail::types::Type;
@@ -26,7 +26,7 @@ fn document(program: &Program, flat: bool) -> Value {
 
 /// Runs the equations of a document, scan by scan, with nothing but what the document says.
 struct Machine<'p> {
-    program: &'p Program,
+    names: Names<'p>,
     document: Value,
     /// What the last scan left, and the inputs.
     values: HashMap<VariableId, i64>,
@@ -42,7 +42,7 @@ struct Machine<'p> {
 impl<'p> Machine<'p> {
     fn new(program: &'p Program, flat: bool) -> Self {
         Machine {
-            program,
+            names: Names::of(program),
             document: document(program, flat),
             values: program.variables.iter().map(|(id, one)| (id, one.initial)).collect(),
             is_first_scan: true,
@@ -55,7 +55,7 @@ impl<'p> Machine<'p> {
 
     fn variable(&self, name: &Value) -> VariableId {
         let name = name.as_str().unwrap();
-        self.program.variable_named(name).unwrap_or_else(|| panic!("no variable {name}"))
+        self.names.variable(name).unwrap_or_else(|| panic!("no variable {name}"))
     }
 
     fn scan(&mut self) {

@@ -1,6 +1,7 @@
 //! Limits of numbers, nesting and length, on both sides; texts that nobody means.
 
 use hotrail::diagnostic;
+use hotrail::eval::Stimulus;
 use hotrail::source::Source;
 
 /// The errors of a text. What grows with more than its length would keep the test from ending.
@@ -206,4 +207,22 @@ fn very_long_names_are_refused() {
     assert_eq!(findings(format!("{START} var m : {long} rung a (y)")), ["E0101"]);
     let digits = "1".repeat(1_000_000);
     assert_eq!(findings(format!("{START} rung a {{ n := {digits} }}")), ["E0202"]);
+}
+
+/// As many columns as a program can have inputs, in both forms: each is found at once.
+#[test]
+fn a_stimulus_is_as_wide_as_can_be() {
+    let arrays: Vec<String> = (0..60).map(|array| format!("w{array}")).collect();
+    let text =
+        format!("ladder wide input {} : WORD[1024] output y rung w0.0 (y)", arrays.join(","));
+    let (program, _) = hotrail::analyze(&Source::new("wide.ladder", text));
+    let program = program.expect("a program");
+    let columns: Vec<String> =
+        (0..60 * 1024).map(|at| format!("{}[{}]", arrays[at / 1024], at % 1024)).collect();
+    let csv = format!("{}\n{}\n", columns.join(","), vec!["7"; columns.len()].join(","));
+    let json: Vec<String> = columns.iter().map(|column| format!("\"{column}\": 7")).collect();
+    for stimulus in [csv, format!("{{{}}}", json.join(","))] {
+        let read = Stimulus::parse(&program, &Source::new("wide", stimulus)).expect("a stimulus");
+        assert_eq!((read.len(), read.row(0).drives.len()), (1, columns.len()));
+    }
 }

@@ -9,7 +9,7 @@ use hotrail::backend::processor::{
     self, Bridge, Contact, Machine, Operation, Sizes, Tree, Word, decode, encode,
 };
 use hotrail::eval::Evaluator;
-use hotrail::model::{Role, VariableId};
+use hotrail::model::{Names, Role, VariableId};
 
 /// The paper's own order of contacts and its coil 316.
 #[test]
@@ -102,7 +102,7 @@ fn every_series_parallel_rung_of_up_to_six_contacts_conducts_where_it_is_drawn_t
                 }
                 evaluator.scan(false);
                 machine.scan(false);
-                let y = program.variable_named("y").unwrap();
+                let y = Names::of(&program).variable("y").unwrap();
                 assert_eq!(machine.bit(256), evaluator.value(y) == 1, "{network}, inputs {row:b}");
             }
             rungs += 1;

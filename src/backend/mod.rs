@@ -14,7 +14,7 @@ use crate::diagnostic::Diagnostic;
 use crate::draw::{self, Drawing};
 use crate::equations;
 use crate::expand;
-use crate::model::{Program, Role, VariableId};
+use crate::model::{Names, Program, Role, VariableId};
 use crate::quantity;
 use crate::source::Source;
 use hdl::testbench::{self, Shown};
@@ -246,9 +246,9 @@ pub fn drawing(drawing: &Drawing) -> Artifact {
 }
 
 fn observed(program: &Program, names: &[String]) -> Result<Vec<VariableId>, BadOption> {
-    let mut observe = Vec::new();
+    let (known, mut observe) = (Names::of(program), Vec::new());
     for name in names {
-        let variable = program.variable_named(name).ok_or_else(|| {
+        let variable = known.variable(name).ok_or_else(|| {
             BadOption(format!("the program has no variable or member `{name}` to observe"))
         })?;
         let is_port = matches!(program.variables[variable].role, Role::Input | Role::Output);

@@ -10,7 +10,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use hotrail::backend::CircuitRunner;
 use hotrail::eval::{Evaluator, Flow, Machine, Stimulus};
 use hotrail::lint;
-use hotrail::model::{Program, VariableId};
+use hotrail::model::{Names, Program, VariableId};
 use hotrail::source::Source;
 
 use super::order::Order;
@@ -194,9 +194,9 @@ fn watched(program: &Program, lists: &[String]) -> anyhow::Result<Option<Vec<Var
     if lists.is_empty() {
         return Ok(None);
     }
-    let mut watched = Vec::new();
+    let (names, mut watched) = (Names::of(program), Vec::new());
     for name in lists.iter().flat_map(|list| split_names(list)) {
-        let variable = variable(program, &name)?;
+        let variable = variable(program, &names, &name)?;
         if !watched.contains(&variable) {
             watched.push(variable);
         }
@@ -205,8 +205,8 @@ fn watched(program: &Program, lists: &[String]) -> anyhow::Result<Option<Vec<Var
 }
 
 /// The variable or member of that name.
-pub fn variable(program: &Program, name: &str) -> anyhow::Result<VariableId> {
-    program.variable_named(name).with_context(|| {
+pub fn variable(program: &Program, names: &Names<'_>, name: &str) -> anyhow::Result<VariableId> {
+    names.variable(name).with_context(|| {
         let known = program.named_variables().map(|(_, variable)| &*variable.name);
         let similar = hotrail::diagnostic::similar_name(name, known);
         let hint = similar.map(|name| format!("; did you mean `{name}`?")).unwrap_or_default();

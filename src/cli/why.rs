@@ -11,6 +11,7 @@ use hotrail::backend::hdl::Harmless;
 use hotrail::draw::{self, Drawing, Glyphs};
 use hotrail::eval::{Cause, Flow, Place, Power, Reason, Subject, Why};
 use hotrail::lint;
+use hotrail::model::Names;
 use hotrail::quantity;
 use hotrail::types::Type;
 
@@ -88,7 +89,7 @@ pub fn run(options: &Options, report: &mut Report) -> anyhow::Result<Verdict> {
         None => read_stimulus(&program, stimulus.as_ref(), report)?,
     };
     let Some(stimulus) = stimulus else { return Ok(Verdict::Bad) };
-    let variable = variable(&program, name)?;
+    let variable = variable(&program, &Names::of(&program), name)?;
     let Some(scan) = options.at.or(stimulus.len().checked_sub(1)) else {
         bail!("nothing is run, so there is no scan; --at SCAN holds all inputs at 0");
     };

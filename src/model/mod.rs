@@ -1,6 +1,7 @@
 //! The checked program: names resolved, types known, nothing left that a user could get wrong.
 
 mod expr;
+mod names;
 mod net;
 mod place;
 mod test;
@@ -16,6 +17,7 @@ use crate::types::Type;
 
 pub use crate::syntax::ast::Edge;
 pub use expr::{BinaryOp, Expr, ExprKind, Function, Relation, convert};
+pub use names::Names;
 pub use net::{Connection, Net, Node};
 pub use place::{Base, Elements, Place};
 pub use test::{Expect, Statement, Test};
@@ -107,25 +109,6 @@ impl Program {
         let moved = places.iter().map(|&place| rungs[place as usize].take());
         self.rungs = moved.map(|rung| rung.expect("each place is there once")).collect();
         assert!(rungs.iter().all(Option::is_none), "each place is there");
-    }
-
-    /// The variable that a user names so: a declared name, in back-ticks or not, or
-    /// `instance.MEMBER`.
-    pub fn variable_named(&self, name: &str) -> Option<VariableId> {
-        let plain = name.replace('`', "");
-        let is_meant = |variable: &Variable, member: bool| {
-            *variable.name == *plain
-                && match variable.role {
-                    Role::Member(..) => member && self.is_named(variable),
-                    Role::Input | Role::Output | Role::Local => !member,
-                    Role::EdgeMemory | Role::FirstScan => false,
-                }
-        };
-        let find = |member| self.variables.iter().find(|(_, v)| is_meant(v, member));
-        // A dot between names tells a member from a name that has a dot in it.
-        let is_member = name.ends_with(|c: char| c != '`') && name.contains('.');
-        let found = if is_member { find(true).or_else(|| find(false)) } else { find(false) };
-        found.map(|(id, _)| id)
     }
 }
 

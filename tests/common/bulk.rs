@@ -9,7 +9,7 @@ use hotrail::backend::hdl::{self, Language, Options, ResetStyle};
 use hotrail::circuit::{Design, Valid};
 use hotrail::eval::Evaluator;
 use hotrail::expand;
-use hotrail::model::{Program, Role, VariableId};
+use hotrail::model::{Names, Program, Role, VariableId};
 
 use super::bench::{self, Bench};
 use super::dice::Dice;
@@ -93,11 +93,12 @@ fn subject(seed: u64, text: &str, scans: usize) -> Subject {
     let options =
         expand::Options { observe: inner_variables(&program), ..expand::Options::default() };
     let design = hotrail::compile(&program, &options);
+    let names = Names::of(&program);
     let outputs: Vec<VariableId> = design
         .top()
         .outputs
         .iter()
-        .map(|output| program.variable_named(&output.name).expect("ports bear user's names"))
+        .map(|output| names.variable(&output.name).expect("ports bear user's names"))
         .collect();
     let mut random = Rng::with_seed(seed);
     let mut evaluator = Evaluator::new(&program);

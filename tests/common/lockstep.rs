@@ -4,7 +4,7 @@ use fastrand::Rng;
 use hotrail::circuit::{Design, FastSimulator, LANES, LaneSimulator, Output, Simulator, Valid};
 use hotrail::eval::Evaluator;
 use hotrail::expand;
-use hotrail::model::{Program, Role, Variable, VariableId};
+use hotrail::model::{Names, Program, Role, Variable, VariableId};
 
 use super::dice::Dice;
 
@@ -26,7 +26,8 @@ struct Plain<'a> {
 
 impl<'a> Plain<'a> {
     fn new(program: &'a Program, design: &Valid<Design>) -> Plain<'a> {
-        let variable = |output: &Output| program.variable_named(&output.name);
+        let names = Names::of(program);
+        let variable = |output: &Output| names.variable(&output.name);
         let outputs = design.top().outputs.iter();
         let shown = outputs.map(|output| variable(output).expect("ports bear user's names"));
         Plain { program, circuit: Simulator::new(design), shown: shown.collect() }

@@ -6,7 +6,7 @@ use hotrail::circuit::Simulator;
 use hotrail::equations;
 use hotrail::eval::Evaluator;
 use hotrail::expand::{self, Schedule};
-use hotrail::model::{Program, Role, Variable, VariableId};
+use hotrail::model::{Names, Program, Role, Variable, VariableId};
 
 use super::dice::Dice;
 use super::lockstep::inner_variables;
@@ -32,7 +32,8 @@ impl<'p> Run<'p> {
         let (done, shown) = circuit.circuit().outputs.split_last().expect("there is the last one");
         assert_eq!(&*done.name, expand::SCAN_DONE);
         assert_eq!(&*circuit.circuit().inputs[1].name, expand::SCAN_START);
-        let variable = |name: &str| program.variable_named(name).expect("ports bear user's names");
+        let names = Names::of(program);
+        let variable = |name: &str| names.variable(name).expect("ports bear user's names");
         let shown: Vec<VariableId> = shown.iter().map(|output| variable(&output.name)).collect();
         let held = (0..shown.len()).map(|port| circuit.output(port)).collect();
         Run { program, circuit, clocks, shown, held }

@@ -7,7 +7,7 @@ use fastrand::Rng;
 use hotrail::circuit::Simulator;
 use hotrail::eval::Evaluator;
 use hotrail::expand;
-use hotrail::model::{Program, Role, VariableId};
+use hotrail::model::{Names, Program, Role, Variable, VariableId};
 use hotrail::source::Source;
 use hotrail::syntax::ast::{Element, ElementKind, File, Item, Rung, Series};
 
@@ -70,11 +70,12 @@ pub fn check(name: &str, text: &str, change: usize, seed: u64) -> Result<Option<
 /// Runs a program and one that shall mean the same, whose variables may bear new names, for that
 /// many scans on random inputs and ticks; says what differs.
 fn difference(program: &Program, other: &Program, scans: usize, mut random: Rng) -> Option<String> {
+    let names = Names::of(other);
     let pairs: Vec<(VariableId, VariableId)> = program
         .variables
         .iter()
         .filter(|(_, variable)| program.is_named(variable))
-        .map(|(id, variable)| (id, same(other, &variable.name)))
+        .map(|(id, variable)| (id, same(&names, &variable.name)))
         .collect();
     let is_input =
         |&&(id, _): &&(VariableId, VariableId)| program.variables[id].role == Role::Input;
@@ -82,6 +83,10 @@ fn difference(program: &Program, other: &Program, scans: usize, mut random: Rng)
     let observe = pairs.iter().map(|&(_, id)| id).filter(|&id| !is_port(id)).collect();
     let options = expand::Options { observe, ..expand::Options::default() };
     let mut circuit = Simulator::new(&hotrail::compile(other, &options));
+    let outputs = circuit.circuit().outputs.iter();
+    let shown =
+        outputs.map(|output| names.variable(&output.name).expect("ports bear user's names"));
+    let shown: Vec<VariableId> = shown.collect();
     let (mut before, mut after) = (Evaluator::new(program), Evaluator::new(other));
     for scan in 0..scans {
         let tick = random.bool();
@@ -105,10 +110,10 @@ fn difference(program: &Program, other: &Program, scans: usize, mut random: Rng)
             let (meant, shown) = (before.value(id), after.value(twin));
             return Some(format!("scan {scan}: {name} was {meant}, after the change {shown}"));
         }
-        for (port, output) in circuit.circuit().outputs.iter().enumerate() {
-            let id = other.variable_named(&output.name).expect("ports bear user's names");
-            if circuit.output(port) != other.variables[id].ty.bits(after.value(id)) {
-                return Some(format!("scan {scan}: {} of the changed circuit", output.name));
+        for (port, &id) in shown.iter().enumerate() {
+            let Variable { name, ty, .. } = &other.variables[id];
+            if circuit.output(port) != ty.bits(after.value(id)) {
+                return Some(format!("scan {scan}: {name} of the changed circuit"));
             }
         }
     }
@@ -116,9 +121,9 @@ fn difference(program: &Program, other: &Program, scans: usize, mut random: Rng)
 }
 
 /// The variable that has the name, or has it behind the mark of new names.
-fn same(other: &Program, name: &str) -> VariableId {
-    let renamed = || other.variable_named(&format!("{NEW}{name}"));
-    other.variable_named(name).or_else(renamed).expect("no variable goes")
+fn same(other: &Names<'_>, name: &str) -> VariableId {
+    let renamed = || other.variable(&format!("{NEW}{name}"));
+    other.variable(name).or_else(renamed).expect("no variable goes")
 }
 
 /// The parts of a program that a change may touch.

@@ -80,7 +80,7 @@ fn header(reader: &mut Reader<'_>, place: &Place<'_>) -> Option<Vec<Column>> {
     let mut seen: HashMap<Column, usize> = HashMap::new();
     let mut columns = Vec::new();
     for cell in 0..place.row.len() {
-        let Some(column) = reader.column(place.cell(cell), place.span(cell)) else { continue };
+        let Some(column) = reader.column(place.cell(cell), || place.span(cell)) else { continue };
         if let Some(first) = seen.insert(column, cell) {
             let message = format!("there are two columns `{}`", place.cell(cell));
             let finding = Diagnostic::new(code::BAD_COLUMN, place.span(cell), message)

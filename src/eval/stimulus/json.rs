@@ -45,7 +45,7 @@ fn take_row(reader: &mut Reader<'_>, text: &str, start: usize) {
     let mut tick = true;
     for (name, value) in &row {
         let place = || place_of(text, start, name);
-        let Some(column) = reader.column(name, place()) else { continue };
+        let Some(column) = reader.column(name, place) else { continue };
         match value {
             Value::Null => {}
             Value::String(text) => reader.cell(column, text.trim(), &mut tick, place),

@@ -8,7 +8,7 @@ mod of_test;
 
 use super::Row;
 use crate::diagnostic::{Diagnostic, code, shortened, similar_name};
-use crate::model::{Program, Role, VariableId};
+use crate::model::{Names, Program, Role, VariableId};
 use crate::source::{Source, Span};
 
 /// The column that says which scans have the tick.
@@ -32,7 +32,9 @@ impl Stimulus {
     /// # Errors
     /// What is wrong with it, by place.
     pub fn parse(program: &Program, source: &Source) -> Result<Stimulus, Vec<Diagnostic>> {
-        let mut reader = Reader { program, stimulus: Stimulus::default(), findings: Vec::new() };
+        let names = Names::of(program);
+        let (stimulus, findings) = (Stimulus::default(), Vec::new());
+        let mut reader = Reader { program, names, stimulus, findings };
         let text = source.text().trim_start_matches('\u{feff}');
         match text.trim_start().starts_with('{') {
             true => json::read(&mut reader, source),
@@ -104,6 +106,7 @@ enum Column {
 /// A stimulus that is being read, and what is wrong with it so far.
 struct Reader<'p> {
     program: &'p Program,
+    names: Names<'p>,
     stimulus: Stimulus,
     findings: Vec<Diagnostic>,
 }
@@ -123,16 +126,16 @@ impl Reader<'_> {
     }
 
     /// What a column of that name stands for, or a finding.
-    fn column(&mut self, name: &str, span: Span) -> Option<Column> {
+    fn column(&mut self, name: &str, span: impl Fn() -> Span) -> Option<Column> {
         if name == TICK {
             return Some(Column::Tick);
         }
-        let variable = self.program.variable_named(name);
+        let variable = self.names.variable(name);
         match variable.map(|id| (id, self.program.variables[id].role)) {
             Some((id, Role::Input)) => return Some(Column::Input(id)),
             Some(_) => {
                 let message = format!("`{}` is no input of the program", shortened(name));
-                let finding = Diagnostic::new(code::BAD_COLUMN, span, message)
+                let finding = Diagnostic::new(code::BAD_COLUMN, span(), message)
                     .label("the program writes it")
                     .help("a stimulus drives inputs; take the column out");
                 self.report(finding);
@@ -140,7 +143,7 @@ impl Reader<'_> {
             None => {
                 let message = format!("no input is named `{}`", shortened(name));
                 let label = if name.is_empty() { "an empty name" } else { "not declared" };
-                let finding = Diagnostic::new(code::BAD_COLUMN, span, message).label(label);
+                let finding = Diagnostic::new(code::BAD_COLUMN, span(), message).label(label);
                 self.report(finding.help(self.which_columns(name)));
             }
         }
