@@ -12,7 +12,7 @@ use hotrail::source::Source;
 
 /// Codes that no text can have, because they are about files and runs of tests.
 const COMMAND_LINE_ONLY: &[&str] =
-    &["E0005", "E0502", "E0601", "E0602", "E0603", "E0701", "E0702", "E0703", "E0803"];
+    &["E0005", "E0502", "E0601", "E0602", "E0603", "E0701", "E0702", "E0703", "E0803", "E0804"];
 
 struct Case {
     name: String,

@@ -8,7 +8,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use common::{emulated, relay, targets};
-use hotrail::backend::processor::{self, Form, Part};
+use hotrail::backend::processor::{Form, Parameters, Part};
 use proptest::prelude::*;
 use proptest::sample::Index;
 
@@ -32,7 +32,7 @@ fn corpus(folders: &[&str], ending: &str) -> Vec<Vec<u8>> {
 fn images() -> Vec<Vec<u8>> {
     let images = (0..20).filter_map(|seed| emulated::compile(&relay::program(seed)).ok());
     let memories = images.flat_map(|(_, image)| {
-        let comments = [processor::parameters(&image.rom)];
+        let comments = [Parameters::of(&image.rom).to_string()];
         Part::ALL.map(|part| Form::ALL.map(|form| image.rom.memory(part).write(form, &comments)))
     });
     memories.flatten().collect()

@@ -8,7 +8,7 @@ use std::path::Path;
 use std::process::Command;
 
 use common::relay;
-use hotrail::backend::processor::{self, Form, Image, Memory, Part, Rom};
+use hotrail::backend::processor::{self, Form, Image, Memory, NotDrawn, Parameters, Part, Rom};
 use hotrail::diagnostic;
 use hotrail::source::Source;
 
@@ -28,15 +28,16 @@ fn every_form_comes_back() {
     for seed in 0..30 {
         let (program, _) = hotrail::analyze(&Source::new("test.ladder", relay::program(seed)));
         let Ok(image) = processor::compile(&program.unwrap()) else { continue };
-        let comments = [processor::parameters(&image.rom)];
-        let sizes = processor::sizes(&comments[0]);
+        let comments = [Parameters::of(&image.rom).to_string()];
+        let parameters = Parameters::read(&comments[0]).unwrap();
         for form in Form::ALL {
             let read = Part::ALL.map(|part| {
                 let bytes = image.rom.memory(part).write(form, &comments);
-                part.read(form, &bytes, sizes).unwrap_or_else(|wrong| panic!("{form:?}: {wrong:?}"))
+                part.read(form, &bytes, parameters.sizes)
+                    .unwrap_or_else(|wrong| panic!("{form:?}: {wrong:?}"))
             });
             let [code, registers, bits] = &read;
-            let back = Rom::of_memories(code, registers, bits, sizes, &comments[0]);
+            let back = Rom::of_memories(code, registers, bits, &parameters);
             assert_eq!(back, image.rom, "{form:?}, seed {seed}");
         }
     }
@@ -65,10 +66,23 @@ fn damaged_files_are_refused_with_their_line() {
         (Form::IntelHex, ":03000000091800DC\n:00000001FF\n", "half a word"),
         (Form::IntelHex, ":0200000009\n", "the checksum is wrong"),
         (Form::IntelHex, ":00000001FF\n:020000000918DD\n", "follows the last one"),
-        (Form::Coe, "memory_initialization_vector=\n1809;\n", "before the vector"),
+        (Form::Coe, "memory_initialization_vector=\n1809;\n", "outside of the vector"),
+        (
+            Form::Coe,
+            "memory_initialization_radix=16;\nmemory_initialization_vector=\n1809,\n",
+            "the semicolon",
+        ),
+        (
+            Form::Coe,
+            "memory_initialization_radix=16;\nmemory_initialization_vector=1;2;\n3;",
+            "line 3: a word stands outside",
+        ),
         (Form::Coe, "memory_initialization_radix=7;\n", "the radix `7`"),
         (Form::Mif, "WIDTH=16;\nCONTENT BEGIN\n0 : 1809;\n", "END is missing"),
         (Form::Mif, "CONTENT BEGIN\n0 1809;\nEND;\n", "an address and a word"),
+        (Form::Mif, "WIDTH=8;\nCONTENT BEGIN\nEND;\n", "line 1: a word of this memory has 16 bits"),
+        (Form::Mif, "DEPTH=2048;\nCONTENT BEGIN\nEND;\n", "line 1: this memory has 1024 words"),
+        (Form::Mif, "DEPTH=4;\nCONTENT BEGIN\n4 : 1;\nEND;\n", "outside of 4 words"),
         (Form::Binary, "abc", "half a word"),
     ] {
         let found = refused(form, text);
@@ -137,6 +151,66 @@ fn an_image_draws_the_ladder_that_it_came_from() {
     }
 }
 
+/// The same ladder in other words, and words that no ladder draws.
+#[test]
+fn what_no_ladder_draws_is_told() {
+    const END: u16 = 0xBC00;
+    let ladder = |code: &[u16]| {
+        let rom = Rom { code: [code, &[END]].concat(), ..Rom::default() };
+        assert_eq!(rom.faults(), [], "{code:x?}");
+        processor::ladder(&rom, "again").map_err(|not_drawn| not_drawn.to_string())
+    };
+    assert!(ladder(&[0x0801, 0x0402, 0xA500]).unwrap().ends_with("rung X1 X2 ( Y256 )\n"));
+    for (code, told) in [
+        (&[0xA500][..], "no contact stands before the output 000"),
+        (&[0x0401], "the circuit from word 000 on has no output"),
+        (&[0x0401, 0xA500, 0x0402, 0xD000, 0xCC00, 0x9100], "word 003 belongs to a function"),
+    ] {
+        assert_eq!(ladder(code), Err(told.to_owned()));
+    }
+    let rom = Rom { code: vec![0x0401, 0xA500, END], ..Rom::default() };
+    let registers = [(2046, 1)].into_iter().collect();
+    let told = processor::ladder(&Rom { registers, ..rom.clone() }, "again");
+    assert_eq!(told, Err(NotDrawn::Register(2046)));
+    let image = [3].into_iter().collect();
+    assert_eq!(processor::ladder(&Rom { image, ..rom }, "again"), Err(NotDrawn::Input(3)));
+}
+
+/// The lines in front of an image are read, those of a record for forms without comments.
+#[test]
+fn the_record_beside_an_image_counts() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path();
+    let ladder = "ladder slow tick 100ms input a, b, c output x, y rung a t:TT(PV := 5, EN := b) (y) rung c (x)";
+    fs::write(path.join("slow.ladder"), ladder).unwrap();
+    let build = ["build", "slow.ladder", "-o", "out", "--emit", "rom,ihex,bin"];
+    assert_eq!(hotrail(path, &build), (0, String::new()));
+    let shown = hotrail(path, &["rom", "out/slow.hex"]);
+    assert!(shown.1.contains("3 inputs, 2 outputs, a tick of 100ms"), "{}", shown.1);
+    for form in ["ihex", "bin"] {
+        assert_eq!(hotrail(path, &["rom", &format!("out/slow.{form}")]), shown, "{form}");
+    }
+    let change = |name: &str, from: &str, to: &str| {
+        let file = path.join("out").join(name);
+        let text = fs::read_to_string(&file).unwrap();
+        assert!(text.contains(from), "{text}");
+        fs::write(file, text.replacen(from, to, 1)).unwrap();
+    };
+    // The preset, and the record itself.
+    change("slow_regs.bin", "\u{5}", "\u{6}");
+    let (code, text) = hotrail(path, &["rom", "out/slow.bin"]);
+    assert!(code == 1 && text.contains("slow_regs.bin: its checksum"), "{text}");
+    change("slow_ihex.txt", "TICK_NS 100000000", "TICK_NS 0");
+    let (code, text) = hotrail(path, &["rom", "out/slow.ihex"]);
+    assert!(
+        code == 1 && text.contains("slow_ihex.txt: the first lines tell of `TICK_NS 0`"),
+        "{text}"
+    );
+    change("slow.hex", "OUTPUTS 2", "OUTPUTS 300");
+    let (code, text) = hotrail(path, &["rom", "out/slow.hex"]);
+    assert!(code == 1 && text.contains("`OUTPUTS 300`, which no processor has"), "{text}");
+}
+
 fn hotrail(folder: &Path, arguments: &[&str]) -> (i32, String) {
     let mut command = Command::new(env!("CARGO_BIN_EXE_hotrail"));
     let output = command.args(arguments).current_dir(folder).output().unwrap();
@@ -167,6 +241,10 @@ fn users_build_images_and_look_at_them() {
         let (code, text) = hotrail(path, &["rom", &format!("out/pump.{form}"), "--as", "ladder"]);
         assert_eq!((code, text), first, "{form}");
     }
+    fs::write(path.join("open.hex"), "0801 0402 A500 BC00\n").unwrap();
+    let (code, text) = hotrail(path, &["rom", "open.hex", "--as", "ladder"]);
+    assert!(code == 0 && text.contains("rung X1 X2 ( Y256 )"), "{text}");
+    assert!(text.contains("note: open.hex: built again, this ladder has other words"), "{text}");
     let (code, text) = hotrail(path, &["test", "pump.ladder", "--on", "evaluator,processor"]);
     assert!(code == 0 && text.contains("on processor"), "{text}");
     fs::write(path.join("out/pump.hex"), "0102\nBC00\n").unwrap();

@@ -19,7 +19,7 @@ use crate::quantity;
 use crate::source::Source;
 use hdl::testbench::{self, Shown};
 use hdl::{Board, Language, ResetStyle};
-use processor::{Form, Image, Part, Sizes};
+use processor::{Form, Image, Parameters, Part, Sizes};
 
 pub use crate::expand::Schedule;
 pub use circuit::CircuitRunner;
@@ -191,7 +191,8 @@ impl<'a> Unit<'a> {
 
     /// What the memories of the ladder processor hold, in each form that is asked for.
     fn memories(&self, image: &Image, kinds: &[Emit]) -> Vec<Artifact> {
-        let comments = [hdl::header(&self.print).to_string(), processor::parameters(&image.rom)];
+        let parameters = Parameters::of(&image.rom).to_string();
+        let comments = [hdl::header(&self.print).to_string(), parameters];
         let name = &self.program.name;
         let mut artifacts = Vec::new();
         for form in Form::ALL.into_iter().filter(|form| kinds.contains(&Emit::Rom(*form))) {
@@ -211,7 +212,7 @@ impl<'a> Unit<'a> {
         let text = format!(
             "// {}\n// {}\n\n{}",
             hdl::header(&self.print),
-            processor::parameters(&image.rom),
+            Parameters::of(&image.rom),
             image.listing(self.program, self.source.file_name()),
         );
         Artifact::of_text(format!("{}.lst", self.program.name), text)

@@ -7,10 +7,11 @@ use std::path::{Path, PathBuf};
 use clap::ValueEnum;
 
 use hotrail::backend::processor::{
-    self, Fault, Form, Memory, Part, Rom, Sizes, Symbols, Unreadable,
+    self, Fault, Form, Memory, Parameters, Part, Rom, Sizes, Symbols, Unreadable,
 };
 use hotrail::diagnostic::code;
 use hotrail::files::FileError;
+use hotrail::source::Source;
 
 use super::Verdict;
 use super::report::Report;
@@ -61,14 +62,29 @@ pub fn run(options: &Options, report: &mut Report) -> anyhow::Result<Verdict> {
                 Symbols { bit: &none, register: &none, needs: rom.needs(), heading: &|_| None };
             processor::listing(&rom, &symbols)
         }
-        Shown::Ladder => processor::ladder(&rom, &name(&options.file)).map_err(|at| {
-            let problem = format!("word {at:03X} belongs to what series and parallel cannot draw");
-            let error = bad(&options.file, problem);
-            FileError { help: Some("--as listing shows every word".to_owned()), ..error }
-        })?,
+        Shown::Ladder => drawn(&options.file, &rom, report)?,
     };
     report.result(&text);
     Ok(Verdict::Good)
+}
+
+/// The ladder of an image. Words that the compiler would not write do the same as those that it
+/// writes for the ladder, and are not the same.
+fn drawn(path: &Path, rom: &Rom, report: &Report) -> Result<String, FileError> {
+    let text = processor::ladder(rom, &name(path)).map_err(|not_drawn| FileError {
+        code: code::NOT_DRAWN,
+        path: path.to_owned(),
+        problem: not_drawn.to_string(),
+        help: Some("--as listing shows every word".to_owned()),
+    })?;
+    let (program, _) = hotrail::analyze(&Source::new("again.ladder", &*text));
+    let again = program.and_then(|program| processor::compile_for(&program, &[], rom.sizes).ok());
+    if again.is_none_or(|again| again.rom != *rom) {
+        let file = path.display();
+        report
+            .remark(&format!("{file}: built again, this ladder has other words that do the same"));
+    }
+    Ok(text)
 }
 
 /// Reads the code, and what stands beside it.
@@ -81,13 +97,29 @@ fn read(path: &Path, sizes: Option<Sizes>) -> anyhow::Result<Rom> {
         return Err(FileError { help: Some(help), ..error }.into());
     };
     let bytes = bytes(path)?;
-    let text = String::from_utf8_lossy(&bytes);
-    let sizes = sizes.unwrap_or_else(|| processor::sizes(&text));
-    let parse = |path: &Path, part, bytes: &[u8]| parse(path, part, form, bytes, sizes);
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let extension = path.extension().unwrap_or_default().to_string_lossy();
+    let record = match form.has_comments() {
+        true => None,
+        false => Record::beside(path, &stem, form)?,
+    };
+    let comments = match &record {
+        Some(record) => record.text.clone(),
+        None => String::from_utf8_lossy(&bytes).into_owned(),
+    };
+    let told = Parameters::read(&comments).map_err(|problem| match &record {
+        Some(record) => bad(&record.path, problem),
+        None => bad(path, problem),
+    })?;
+    let parameters = Parameters { sizes: sizes.unwrap_or(told.sizes), ..told };
+    let parse = |path: &Path, part, bytes: &[u8]| -> Result<Memory, FileError> {
+        if let Some(record) = &record {
+            record.vouch(path, bytes)?;
+        }
+        parse(path, part, form, bytes, parameters.sizes)
+    };
     let code = parse(path, Part::Code, &bytes)?;
     let beside = |part: Part| -> Result<Memory, FileError> {
-        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-        let extension = path.extension().unwrap_or_default().to_string_lossy();
         let other = path.with_file_name(format!("{stem}{}.{extension}", part.suffix()));
         match other.exists() {
             true => parse(&other, part, &self::bytes(&other)?),
@@ -95,7 +127,35 @@ fn read(path: &Path, sizes: Option<Sizes>) -> anyhow::Result<Rom> {
         }
     };
     let (registers, bits) = (beside(Part::Registers)?, beside(Part::Bits)?);
-    Ok(Rom::of_memories(&code, &registers, &bits, sizes, &text))
+    Ok(Rom::of_memories(&code, &registers, &bits, &parameters))
+}
+
+/// What stands beside files without comments: it names them with their checksums.
+struct Record {
+    path: PathBuf,
+    text: String,
+}
+
+impl Record {
+    /// That of an image, if it is there.
+    fn beside(image: &Path, stem: &str, form: Form) -> Result<Option<Record>, FileError> {
+        let path = image.with_file_name(processor::record_name(stem, form));
+        if !path.exists() {
+            return Ok(None);
+        }
+        let text = String::from_utf8_lossy(&bytes(&path)?).into_owned();
+        Ok(Some(Record { path, text }))
+    }
+
+    /// Refuses a file that is not what the record names.
+    fn vouch(&self, file: &Path, contents: &[u8]) -> Result<(), FileError> {
+        let name = file.file_name().unwrap_or_default().to_string_lossy();
+        if processor::vouches(&self.text, &name, contents) {
+            return Ok(());
+        }
+        let record = self.path.file_name().unwrap_or_default().to_string_lossy();
+        Err(bad(file, format!("its checksum is not the one that {record} names")))
+    }
 }
 
 fn bytes(path: &Path) -> Result<Vec<u8>, FileError> {

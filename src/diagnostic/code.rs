@@ -156,6 +156,7 @@ codes! {
     Error E0801 NOT_ON_PROCESSOR "the ladder processor cannot do this"
     Error E0802 PROCESSOR_FULL "the ladder processor has no room for this"
     Error E0803 BAD_IMAGE "a file is no image that the ladder processor can run"
+    Error E0804 NOT_DRAWN "no ladder draws this image of the ladder processor"
 
     // Allowing
     Warning W0001 BAD_ALLOW "an allow names nothing that can be allowed"

@@ -5,7 +5,9 @@ use std::fs;
 use std::path::Path;
 
 use fastrand::Rng;
-use hotrail::backend::processor::{self, Form, Image, Machine, Part, Sizes, clocks_of_scan};
+use hotrail::backend::processor::{
+    self, Form, Image, Machine, Parameters, Part, Sizes, clocks_of_scan,
+};
 use hotrail::model::{Program, Role};
 use hotrail::source::Source;
 
@@ -110,7 +112,7 @@ pub fn rows(program: &Program, image: &Image, scans: usize, mut random: Rng) -> 
 
 /// Puts the image into a folder, as `test.hex` and what stands beside it.
 pub fn write_image(folder: &Path, image: &Image) {
-    let comments = ["a0 comment".to_owned(), processor::parameters(&image.rom)];
+    let comments = ["a0 comment".to_owned(), Parameters::of(&image.rom).to_string()];
     for part in Part::ALL {
         let file = folder.join(format!("test{}.hex", part.suffix()));
         fs::write(file, image.rom.memory(part).write(Form::Hex, &comments)).unwrap();

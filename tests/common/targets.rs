@@ -3,7 +3,7 @@
 
 use fastrand::Rng;
 use hotrail::backend::hdl::{self, Language};
-use hotrail::backend::processor::{self, Form, Machine, Part, Rom, Symbols};
+use hotrail::backend::processor::{self, Form, Machine, Parameters, Part, Rom, Symbols};
 use hotrail::diagnostic::{self, Diagnostic};
 use hotrail::draw::{self, Drawing};
 use hotrail::eval::Stimulus;
@@ -52,16 +52,17 @@ fn render(source: &Source, findings: &[Diagnostic]) {
 /// Reads bytes as an image in every form, and runs what can be run.
 pub fn image(bytes: &[u8]) {
     let text = String::from_utf8_lossy(bytes);
-    let sizes = processor::sizes(&text);
+    let Ok(parameters) = Parameters::read(&text) else { return };
+    let sizes = parameters.sizes;
     for form in Form::ALL {
         for part in Part::ALL {
             let Ok(memory) = part.read(form, bytes, sizes) else { continue };
             let none = Rom { sizes, ..Rom::default() };
             let [code, registers, bits] = Part::ALL.map(|part| none.memory(part));
             run(&match part {
-                Part::Code => Rom::of_memories(&memory, &registers, &bits, sizes, &text),
-                Part::Registers => Rom::of_memories(&code, &memory, &bits, sizes, &text),
-                Part::Bits => Rom::of_memories(&code, &registers, &memory, sizes, &text),
+                Part::Code => Rom::of_memories(&memory, &registers, &bits, &parameters),
+                Part::Registers => Rom::of_memories(&code, &memory, &bits, &parameters),
+                Part::Bits => Rom::of_memories(&code, &registers, &memory, &parameters),
             });
         }
     }

@@ -1,8 +1,7 @@
 //! The files of an image: code, registers and bits at reset, in each form, and back.
 
-use std::fmt::Write;
-
 use super::memory::{Form, Memory, Unreadable};
+use super::parameters::Parameters;
 use super::rom::{Pins, Rom};
 use super::sizes::Sizes;
 use super::word::{Address, FIRST_FLAG, FIRST_OUTPUT, ONE, Word};
@@ -52,40 +51,6 @@ impl Part {
     }
 }
 
-/// What the processor is built with for an image: a line for people that is read back. Sizes stand
-/// there where they are not the default.
-pub fn parameters(rom: &Rom) -> String {
-    let Pins { inputs, outputs } = rom.pins;
-    let mut line =
-        format!("ladder processor: INPUTS {inputs}, OUTPUTS {outputs}, TICK_NS {}", rom.tick_ns);
-    for ((name, size), (_, usual)) in rom.sizes.named().into_iter().zip(Sizes::default().named()) {
-        if size != usual {
-            write!(line, ", {name} {size}").expect("fits");
-        }
-    }
-    line
-}
-
-/// A number of the line [`parameters`] in a text, by its name.
-fn parameter(text: &str, name: &str) -> Option<u64> {
-    let behind = text.split("ladder processor: ").nth(1)?.lines().next()?;
-    let word = behind.split(name).nth(1)?.trim_start();
-    word.split(|c: char| !c.is_ascii_digit()).next()?.parse().ok()
-}
-
-/// The sizes in the line [`parameters`] of a text; those of the papers where it has none.
-pub fn sizes(text: &str) -> Sizes {
-    let mut sizes = Sizes::default();
-    for (name, _) in Sizes::default().named() {
-        let size = parameter(text, name).and_then(|size| usize::try_from(size).ok());
-        // Nobody writes such a line by hand: one that cannot be true says nothing.
-        if let Some(size) = size {
-            let _ = sizes.set(name, size);
-        }
-    }
-    sizes
-}
-
 impl Rom {
     /// What a memory holds at reset.
     pub fn memory(&self, part: Part) -> Memory {
@@ -105,42 +70,31 @@ impl Rom {
         memory
     }
 
-    /// The image of these memories of a processor of these sizes. Pins and tick are taken from a
-    /// comment of the code's file where [`parameters`] stands there; else the pins are those that
-    /// the words name, and a tick is 1 ms.
+    /// The image of these memories. Where nothing says what the processor is built with, its pins
+    /// are those that the words name, and a tick is 1 ms.
     pub fn of_memories(
         code: &Memory,
         registers: &Memory,
         bits: &Memory,
-        sizes: Sizes,
-        text: &str,
+        parameters: &Parameters,
     ) -> Rom {
+        let sizes = parameters.sizes;
         let code = code.dense();
         let filled = |memory: &Memory| -> Vec<(usize, u16)> {
             let some = memory.words.iter().filter(|(_, word)| **word != 0);
             some.map(|(at, word)| (*at, *word)).collect()
         };
         let register = |(at, word)| (sizes.register_at(at), word);
-        let number = |name: &str| parameter(text, name);
+        let bit = |(at, _)| sizes.bit_at(at);
         let named = pins(&code);
-        let pin = |name, otherwise: u16| {
-            number(name)
-                .and_then(|pins| u16::try_from(pins).ok())
-                .filter(|pins| *pins <= 256)
-                .unwrap_or(otherwise)
-        };
         Rom {
             pins: Pins {
-                inputs: pin("INPUTS", named.inputs),
-                outputs: pin("OUTPUTS", named.outputs),
+                inputs: parameters.inputs.unwrap_or(named.inputs),
+                outputs: parameters.outputs.unwrap_or(named.outputs),
             },
-            tick_ns: number("TICK_NS").unwrap_or(1_000_000),
+            tick_ns: parameters.tick_ns.unwrap_or(1_000_000),
             registers: filled(registers).into_iter().map(register).collect(),
-            image: filled(bits)
-                .into_iter()
-                .map(|(at, _)| sizes.bit_at(at))
-                .filter(|at| *at != ONE)
-                .collect(),
+            image: filled(bits).into_iter().map(bit).filter(|at| *at != ONE).collect(),
             code,
             sizes,
         }

@@ -1,14 +1,12 @@
-//! An image as a table for people, and as the ladder that it came from.
+//! An image as a table for people.
 
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-use super::decode::decode;
 use super::emulator::clocks_of_scan;
 use super::rom::{Rom, region};
 use super::sizes::Sizes;
-use super::tree::{Contact, Tree};
-use super::word::{Address, FIRST_FLAG, FIRST_OUTPUT, ONE, Operation, Prefix, TimerType, Word};
+use super::word::{Address, Prefix, TimerType, Word};
 use crate::quantity;
 
 /// What a listing says besides the words.
@@ -121,112 +119,5 @@ fn contents(rom: &Rom, symbols: &Symbols<'_>, text: &mut String) {
             let line = format!("{address:>5}  {} {name}", region(address));
             writeln!(text, "{}", line.trim_end()).expect("fits");
         }
-    }
-}
-
-/// A ladder with the same image: a rung for each circuit, a name for each address. Nothing if
-/// there is something in it that no nesting of series and parallel draws, with the address.
-///
-/// # Errors
-/// The address of the first word that is not drawn.
-pub fn ladder(rom: &Rom, name: &str) -> Result<String, usize> {
-    let mut used = BTreeSet::new();
-    let mut rungs = String::new();
-    let mut circuit: Vec<Word> = Vec::new();
-    let mut outputs: Vec<String> = Vec::new();
-    let mut start = 0;
-    for (at, &bits) in rom.code.iter().enumerate() {
-        let word = Word::decode(bits).map_err(|_| at)?;
-        match word {
-            Word::Contact { address, .. } => {
-                if !outputs.is_empty() {
-                    rung(&circuit, &outputs, &mut rungs).ok_or(start)?;
-                    (circuit, outputs) = (Vec::new(), Vec::new());
-                }
-                if circuit.is_empty() {
-                    start = at;
-                }
-                circuit.push(word);
-                used.insert(address);
-            }
-            Word::END => {}
-            Word::Output { operation, coil } => {
-                let mark = match operation {
-                    Operation::Coil => " ",
-                    Operation::Inverted => " !",
-                    Operation::Set => "S ",
-                    Operation::Reset => "R ",
-                    _ => return Err(at),
-                };
-                outputs.push(format!(
-                    "({mark}{}{})",
-                    bit_name(coil),
-                    if mark.starts_with(' ') { " " } else { "" }
-                ));
-                used.insert(coil);
-            }
-            Word::Prefix(_) => return Err(at),
-        }
-    }
-    if !circuit.is_empty() {
-        rung(&circuit, &outputs, &mut rungs).ok_or(start)?;
-    }
-    // Every pin keeps its place, and every bit its value at reset, also where no rung names it.
-    let pins = rom.pins;
-    used.extend(&rom.image);
-    used.extend(pins.inputs.checked_sub(1));
-    used.extend(pins.outputs.checked_sub(1).map(|last| FIRST_OUTPUT + last));
-    let mut text = format!("ladder {name}\n");
-    if rom.tick_ns > 0 {
-        writeln!(text, "tick {}", quantity::time_text(rom.tick_ns.into())).expect("fits");
-    }
-    text.push('\n');
-    text.extend(used.iter().map(|&address| declaration(rom, address)));
-    Ok(text + "\n" + &rungs)
-}
-
-/// The line that declares a bit; none for the one that is always on.
-fn declaration(rom: &Rom, address: Address) -> String {
-    let kind = match address {
-        ONE => return String::new(),
-        FIRST_FLAG.. => "var",
-        FIRST_OUTPUT.. => "output",
-        _ => "input",
-    };
-    let initial = if rom.image.contains(&address) { " := 1" } else { "" };
-    format!("{kind:<6} {} at {address}{initial}\n", bit_name(address))
-}
-
-fn bit_name(address: Address) -> String {
-    match address {
-        FIRST_FLAG.. => format!("M{address}"),
-        FIRST_OUTPUT.. => format!("Y{address}"),
-        _ => format!("X{address}"),
-    }
-}
-
-/// One circuit with its outputs; one without outputs does nothing.
-fn rung(circuit: &[Word], outputs: &[String], rungs: &mut String) -> Option<()> {
-    let tree = decode(circuit)?;
-    if outputs.is_empty() {
-        return None;
-    }
-    writeln!(rungs, "rung {} {}", drawn(&tree), outputs.join(" ")).expect("fits");
-    Some(())
-}
-
-fn drawn(tree: &Tree) -> String {
-    let join =
-        |parts: &[Tree], between: &str| parts.iter().map(drawn).collect::<Vec<_>>().join(between);
-    match tree {
-        Tree::Contact(Contact { address: ONE, negated }) => {
-            if *negated { "FALSE" } else { "TRUE" }.to_owned()
-        }
-        Tree::Contact(Contact { address, negated }) => {
-            format!("{}{}", if *negated { "!" } else { "" }, bit_name(*address))
-        }
-        Tree::Series(parts) => join(parts, " "),
-        Tree::Parallel(parts) => format!("[ {} ]", join(parts, " | ")),
-        Tree::Bridge(_) => unreachable!("it is not read back"),
     }
 }

@@ -276,11 +276,13 @@ impl Memory {
 
     fn read_coe(&mut self, text: &str) -> Read<()> {
         let mut radix = None;
-        let mut in_vector = false;
+        let (mut in_vector, mut has_ended) = (false, false);
         let mut at = 0;
         for (line, content) in text.lines().enumerate() {
             let mut content = content.trim();
-            if content.starts_with(';') {
+            let is_comment = content.starts_with(';');
+            if is_comment {
+                has_ended |= in_vector;
                 continue;
             }
             if let Some((name, value)) = content.split_once('=') {
@@ -304,15 +306,25 @@ impl Memory {
                     other => return wrong(line, format!("nothing is called `{other}`")),
                 }
             }
-            for word in content.split([',', ';', ' ', '\t']).filter(|word| !word.is_empty()) {
-                let Some(radix) = radix.filter(|_| in_vector) else {
-                    return wrong(line, "a word stands before the vector");
+            let (words, ends) = match content.split_once(';') {
+                Some((words, _)) => (words, true),
+                None => (content, false),
+            };
+            for word in words.split([',', ' ', '\t']).filter(|word| !word.is_empty()) {
+                let Some(radix) = radix.filter(|_| in_vector && !has_ended) else {
+                    return wrong(line, "a word stands outside of the vector");
                 };
                 self.set(at, number(word, radix, line)?, line)?;
                 at += 1;
             }
+            has_ended |= in_vector && ends;
         }
-        Ok(())
+        if has_ended {
+            Ok(())
+        } else {
+            let problem = "the semicolon behind the vector is missing".to_owned();
+            Err(Unreadable { line: None, problem })
+        }
     }
 
     fn read_mif(&mut self, text: &str) -> Read<()> {
@@ -323,10 +335,7 @@ impl Memory {
             if upper.starts_with("CONTENT") {
                 in_content = true;
             } else if !in_content || content.is_empty() || upper == "BEGIN" {
-                let is_decimal = upper.contains("RADIX") && !upper.contains("HEX");
-                if is_decimal {
-                    return wrong(line, "only the radix HEX is read");
-                }
+                self.mif_setting(&upper, line)?;
             } else if upper.starts_with("END") {
                 return Ok(());
             } else {
@@ -349,6 +358,30 @@ impl Memory {
             }
         }
         Err(Unreadable { line: None, problem: "END is missing".to_owned() })
+    }
+
+    /// A line in front of the words.
+    fn mif_setting(&mut self, setting: &str, line: usize) -> Read<()> {
+        let Some((name, value)) = setting.trim_end_matches(';').split_once('=') else {
+            return Ok(());
+        };
+        let (name, value) = (name.trim(), value.trim());
+        match name {
+            "ADDRESS_RADIX" | "DATA_RADIX" if value != "HEX" => {
+                wrong(line, "only the radix HEX is read")
+            }
+            "WIDTH" if value.parse() != Ok(self.width) => {
+                wrong(line, format!("a word of this memory has {} bits", self.width))
+            }
+            "DEPTH" => match value.parse() {
+                Ok(depth) if depth <= self.depth => {
+                    self.depth = depth;
+                    Ok(())
+                }
+                _ => wrong(line, format!("this memory has {} words", self.depth)),
+            },
+            _ => Ok(()),
+        }
     }
 }
 
