@@ -143,10 +143,11 @@ fn shows(text: &str, shape: &Shape) -> bool {
 }
 
 /// What two calls have in common that can use one module.
-pub type Key = (&'static str, Vec<Vec<i64>>, Vec<i64>);
+pub type Key = (&'static str, Vec<Vec<i64>>, Vec<Option<i64>>);
 
 /// The key of a call: what `module` makes of it depends on nothing else.
 pub fn key(shape: &Shape, starts: &[i64]) -> Key {
-    let held = shape.ports.iter().zip(starts).filter(|(port, _)| port.role.is_inside());
-    (shape.block.name, shape.chosen.clone(), held.map(|(_, &start)| start).collect())
+    let ports = shape.ports.iter().zip(starts);
+    let held = ports.map(|(port, &start)| port.role.is_inside().then_some(start));
+    (shape.block.name, shape.chosen.clone(), held.collect())
 }

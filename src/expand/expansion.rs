@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use la_arena::Arena;
 
 use super::schedule::{Schedule, Sequence, Written};
+use super::shapes::shapes;
 use super::words::{self, Typed};
 use super::{Expansion, Options};
 use crate::blocks::{self, PortRole};
@@ -16,12 +17,14 @@ use crate::model::{Array, Program, Role, VariableId};
 impl<'p> Expansion<'p> {
     pub(super) fn new(program: &'p Program, equations: &'p Equations) -> Self {
         let variables = program.variables.len();
+        let shapes = shapes(program, equations);
         let mut last_write = vec![None; variables];
         for (number, step) in equations.steps.iter().enumerate() {
             match &step.kind {
                 StepKind::Assign { target, .. } => last_write[index(*target)] = Some(number as u32),
                 StepKind::Call { instance, shape, arguments, .. } => {
                     let members = &program.instances[*instance].members;
+                    let shape = shapes.get(instance).unwrap_or(shape);
                     let outside = |port: &usize| shape.ports[*port].role.is_outside();
                     let outside = (0..members.len()).filter(outside);
                     for port in arguments.iter().map(|&(port, _)| port).chain(outside) {
@@ -29,8 +32,12 @@ impl<'p> Expansion<'p> {
                     }
                 }
                 StepKind::Reset { instance, .. } => {
-                    for (port, member, _) in program.instances[*instance].cleared(program) {
-                        if port.role.is_outside() {
+                    let declared = &program.instances[*instance];
+                    let shape = shapes.get(instance).unwrap_or(&declared.shape);
+                    for (_, member, _) in declared.cleared(program) {
+                        if let Role::Member(_, port) = program.variables[member].role
+                            && shape.ports[port].role.is_outside()
+                        {
                             last_write[index(member)] = Some(number as u32);
                         }
                     }
@@ -53,6 +60,7 @@ impl<'p> Expansion<'p> {
             before: vec![None; variables],
             registers: Vec::new(),
             instances: program.instances.iter().map(|_| None).collect(),
+            shapes,
             partners: Vec::new(),
             last_write,
         }
@@ -120,10 +128,10 @@ impl<'p> Expansion<'p> {
         let width = declared.ty.width();
         let net = match declared.role {
             Role::Member(instance, port)
-                if self.program.instances[instance].shape.ports[port].role == PortRole::Output =>
+                if self.shape(instance).ports[port].role == PortRole::Output =>
             {
-                let shape = &self.program.instances[instance].shape;
-                let called = self.called(instance, shape);
+                let shape = self.shape(instance);
+                let called = self.called(instance, &shape);
                 let (id, module) = (called.id, called.module);
                 let name = shape.ports[port].name;
                 let left = self.instance_output(id, module, &blocks::last(name), width);
@@ -254,7 +262,8 @@ impl<'p> Expansion<'p> {
                 }
             }
             StepKind::Call { instance, shape, power, arguments } => {
-                self.call(*instance, shape, *power, arguments);
+                let shape = self.shapes.get(instance).unwrap_or(shape).clone();
+                self.call(*instance, &shape, *power, arguments);
             }
             StepKind::Reset { instance, power } => self.reset(*instance, *power),
         }

@@ -1,5 +1,7 @@
 //! Block instances: what the scan gives them, and what they show.
 
+use std::sync::Arc;
+
 use super::Expansion;
 use super::schedule::Written;
 use crate::blocks::{self, PortRole, Shape};
@@ -31,6 +33,12 @@ pub(super) struct Pending {
 }
 
 impl Expansion<'_> {
+    /// What an instance is in the circuit.
+    pub(super) fn shape(&self, instance: InstanceId) -> Arc<Shape> {
+        let declared = &self.program.instances[instance].shape;
+        self.shapes.get(&instance).unwrap_or(declared).clone()
+    }
+
     /// The circuit instance of an instance's only or first call.
     pub(super) fn called(&mut self, instance: InstanceId, shape: &Shape) -> &mut Called {
         if self.instances[index(instance)].is_none() {
@@ -74,7 +82,8 @@ impl Expansion<'_> {
         for step in &self.equations.steps {
             let StepKind::Reset { instance, .. } = step.kind else { continue };
             let declared = &self.program.instances[instance];
-            let has_inside = declared.shape.ports.iter().any(|port| port.role.is_inside());
+            let shape = self.shape(instance);
+            let has_inside = shape.ports.iter().any(|port| port.role.is_inside());
             if has_inside && self.pending[index(instance)].is_none() {
                 let name = format!("{}_cleared", declared.name);
                 let (register, net) = self.circuit.register(name, 1, 0);
@@ -162,12 +171,13 @@ impl Expansion<'_> {
     pub(super) fn reset(&mut self, instance: InstanceId, power: ExprId) {
         let power = self.net(power);
         let declared = &self.program.instances[instance];
+        let shape = self.shape(instance);
         if let Some(pending) = &mut self.pending[index(instance)] {
             let before = pending.written.at(self.stage).unwrap_or(pending.net);
             let now = self.circuit.or([before, power]);
             pending.written.set(self.stage, now);
-        } else if declared.shape.ports.iter().any(|port| port.role.is_inside()) {
-            let called = self.called(instance, &declared.shape);
+        } else if shape.ports.iter().any(|port| port.role.is_inside()) {
+            let called = self.called(instance, &shape);
             let list = match called.power {
                 None => &mut called.clear_before,
                 Some(_) => &mut called.clear_after,

@@ -4,17 +4,19 @@
 mod expansion;
 mod instances;
 mod schedule;
+mod shapes;
 mod words;
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use la_arena::Arena;
 
-use crate::blocks;
+use crate::blocks::{self, Shape};
 use crate::circuit::{self, Circuit, Design, ModuleId, Net, RegisterId, Valid};
 use crate::equations::{self, Equations, ExprId};
 use crate::index::index;
-use crate::model::{Program, VariableId};
+use crate::model::{InstanceId, Program, VariableId};
 use instances::{Called, Pending};
 use schedule::{Sequence, Written};
 
@@ -125,6 +127,8 @@ struct Expansion<'p> {
     before: Vec<Option<Net>>,
     registers: Vec<(VariableId, RegisterId)>,
     instances: Vec<Option<Called>>,
+    /// The instances whose block holds more than its kind says.
+    shapes: HashMap<InstanceId, Arc<Shape>>,
     /// Second calls of instances that two kinds share.
     partners: Vec<Called>,
     /// The last step that writes each variable, if one does.
