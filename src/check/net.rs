@@ -86,8 +86,9 @@ impl<'s> Nodes<'s> {
         if let Some(&number) = self.exact.get(name.text) {
             return Ok(number);
         }
-        let number = self.list.len();
-        if let Some(other) = self.folded.insert(name.text.to_lowercase(), number) {
+        if let Some(&other) = self.folded.get(&name.text.to_lowercase()) {
+            // It is said once: the other node is meant wherever the name stands.
+            self.exact.insert(name.text, other);
             let text = shortened(name.text);
             let message = format!("the node `{text}` differs from another one only in case");
             let other = &self.list[other].name;
@@ -96,6 +97,8 @@ impl<'s> Nodes<'s> {
                 .help(format!("write `{}`, or give one of them another name", shortened(other)));
             return Err(diagnostic.into());
         }
+        let number = self.list.len();
+        self.folded.insert(name.text.to_lowercase(), number);
         self.exact.insert(name.text, number);
         self.list.push(Node { name: name.text.to_owned(), span: name.span });
         Ok(number)
