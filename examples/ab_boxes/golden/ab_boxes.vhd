@@ -14,36 +14,33 @@ use ieee.numeric_std.all;
 
 entity ab_boxes_AB_TOF_BASE1_PRE100 is
   port (
-    clk        : in  std_logic;
-    rst        : in  std_logic;
-    tick       : in  std_logic;
-    power      : in  std_logic;
-    ACC_before : in  unsigned(15 downto 0);
-    ACC        : out unsigned(15 downto 0);
-    TT         : out std_logic;
-    DN         : out std_logic
+    clk   : in  std_logic;
+    rst   : in  std_logic;
+    tick  : in  std_logic;
+    power : in  std_logic;
+    TT    : out std_logic;
+    DN    : out std_logic
   );
 end entity ab_boxes_AB_TOF_BASE1_PRE100;
 
 architecture rtl of ab_boxes_AB_TOF_BASE1_PRE100 is
+  signal ACC : unsigned(6 downto 0) := to_unsigned(100, 7);
   signal DN_reg : std_logic := '0';
   signal was : std_logic := '0';
   signal condition : std_logic;
-  signal unequal : std_logic;
-  signal sum : unsigned(15 downto 0);
-  signal less : std_logic;
-  signal ACC_value : unsigned(15 downto 0);
+  signal condition_2 : std_logic;
+  signal sum : unsigned(6 downto 0);
+  signal equal : std_logic;
+  signal ACC_next : unsigned(6 downto 0);
   signal DN_next : std_logic;
 begin
   condition <= not power;
-  unequal <= '1' when ACC_before /= 32767 else '0';
-  sum <=
-      ACC_before + (to_unsigned(0, 15) & (condition and not was and DN_reg and tick and unequal));
-  less <= '1' when signed(sum) < 100 else '0';
-  ACC_value <= to_unsigned(0, 16) when power = '1' else sum;
-  DN_next <= power or (DN_reg and less);
+  condition_2 <= condition and not was and DN_reg and tick;
+  sum <= ACC + (to_unsigned(0, 6) & condition_2);
+  equal <= '1' when ACC = 99 else '0';
+  ACC_next <= to_unsigned(0, 7) when power = '1' else sum;
+  DN_next <= power or (DN_reg and not (condition_2 and equal));
 
-  ACC <= ACC_value;
   TT <= condition and DN_next;
   DN <= DN_next;
 
@@ -51,9 +48,11 @@ begin
   begin
     if rising_edge(clk) then
       if rst = '1' then
+        ACC <= to_unsigned(100, 7);
         DN_reg <= '0';
         was <= '0';
       else
+        ACC <= ACC_next;
         DN_reg <= DN_next;
         was <= power;
       end if;
@@ -143,7 +142,6 @@ entity ab_boxes is
 end entity ab_boxes;
 
 architecture rtl of ab_boxes is
-  signal pe_1_timer_ACC_reg : unsigned(15 downto 0) := to_unsigned(100, 16);
   signal power_before : std_logic := '0';
   signal pull_cord_before : std_logic := '0';
   signal conveyor_1_reg : std_logic := '0';
@@ -152,7 +150,6 @@ architecture rtl of ab_boxes is
   signal boxes_was_down : std_logic := '1';
   signal conveyor_3_reg : std_logic := '0';
   signal conveyor_2_reg : std_logic := '0';
-  signal pe_1_timer_ACC : unsigned(15 downto 0);
   signal pe_1_timer_TT : std_logic;
   signal pe_1_timer_DN : std_logic;
   signal pe_1_left : std_logic;
@@ -179,8 +176,6 @@ begin
       rst => rst,
       tick => tick,
       power => eye_1,
-      ACC_before => pe_1_timer_ACC_reg,
-      ACC => pe_1_timer_ACC,
       TT => pe_1_timer_TT,
       DN => pe_1_timer_DN
     );
@@ -238,7 +233,6 @@ begin
   begin
     if rising_edge(clk) then
       if rst = '1' then
-        pe_1_timer_ACC_reg <= to_unsigned(100, 16);
         power_before <= '0';
         pull_cord_before <= '0';
         conveyor_1_reg <= '0';
@@ -248,7 +242,6 @@ begin
         conveyor_3_reg <= '0';
         conveyor_2_reg <= '0';
       else
-        pe_1_timer_ACC_reg <= pe_1_timer_ACC;
         power_before <= pe_1_timer_TT;
         pull_cord_before <= pull_cord;
         conveyor_1_reg <= conveyor_1_next;

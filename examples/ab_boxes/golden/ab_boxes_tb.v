@@ -15,34 +15,34 @@
 // DN  _#####__#######__
 // ACC 30001233001001233
 module ab_boxes_test_AB_TOF_BASE1_PRE100 (
-  input  wire        clk,
-  input  wire        rst,
-  input  wire        tick,
-  input  wire        power,
-  input  wire [15:0] ACC_before,
-  output wire [15:0] ACC,
-  output wire        TT,
-  output wire        DN
+  input  wire clk,
+  input  wire rst,
+  input  wire tick,
+  input  wire power,
+  output wire TT,
+  output wire DN
 );
+  reg [6:0] ACC = 7'd100;
   reg DN_reg = 1'b0;
   reg was = 1'b0;
 
   wire condition = ~power;
-  wire unequal = ACC_before != 16'd32767;
-  wire [15:0] sum = ACC_before + {15'b0, condition & ~was & DN_reg & tick & unequal};
-  wire less = $signed(sum) < 16'sd100;
-  wire [15:0] ACC_value = power ? 16'd0 : sum;
-  wire DN_next = power | DN_reg & less;
+  wire condition_2 = condition & ~was & DN_reg & tick;
+  wire [6:0] sum = ACC + {6'b0, condition_2};
+  wire equal = ACC == 7'd99;
+  wire [6:0] ACC_next = power ? 7'd0 : sum;
+  wire DN_next = power | DN_reg & ~(condition_2 & equal);
 
-  assign ACC = ACC_value;
   assign TT = condition & DN_next;
   assign DN = DN_next;
 
   always @(posedge clk) begin
     if (rst) begin
+      ACC <= 7'd100;
       DN_reg <= 1'b0;
       was <= 1'b0;
     end else begin
+      ACC <= ACC_next;
       DN_reg <= DN_next;
       was <= power;
     end
@@ -112,7 +112,6 @@ module ab_boxes_test (
   output wire        boxes_CU,
   output wire        boxes_CD
 );
-  reg [15:0] pe_1_timer_ACC_reg = 16'd100;
   reg power_before = 1'b0;
   reg pull_cord_before = 1'b0;
   reg conveyor_1_reg = 1'b0;
@@ -127,7 +126,6 @@ module ab_boxes_test (
   reg conveyor_3_reg = 1'b0;
 
   // rung 1 "PE_1_Timer: a box moves on for a second after the eye", ab_boxes.ladder:14
-  wire [15:0] pe_1_timer_ACC;
   wire pe_1_timer_TT;
   wire pe_1_timer_DN;
   ab_boxes_test_AB_TOF_BASE1_PRE100 pe_1_timer (
@@ -135,8 +133,6 @@ module ab_boxes_test (
     .rst(rst),
     .tick(tick),
     .power(eye_1),
-    .ACC_before(pe_1_timer_ACC_reg),
-    .ACC(pe_1_timer_ACC),
     .TT(pe_1_timer_TT),
     .DN(pe_1_timer_DN)
   );
@@ -208,7 +204,6 @@ module ab_boxes_test (
 
   always @(posedge clk) begin
     if (rst) begin
-      pe_1_timer_ACC_reg <= 16'd100;
       power_before <= 1'b0;
       pull_cord_before <= 1'b0;
       conveyor_1_reg <= 1'b0;
@@ -222,7 +217,6 @@ module ab_boxes_test (
       conveyor_2_reg <= 1'b0;
       conveyor_3_reg <= 1'b0;
     end else begin
-      pe_1_timer_ACC_reg <= pe_1_timer_ACC;
       power_before <= pe_1_timer_TT;
       pull_cord_before <= pull_cord;
       conveyor_1_reg <= conveyor_1_next;

@@ -14,18 +14,30 @@
 // DN  ___#####___#
 // ACC 011222330112
 module ab_counters_AB_CTU_PRE99 (
-  input  wire        power,
-  input  wire [15:0] ACC_before,
-  input  wire        was_up_before,
-  output wire [15:0] ACC,
-  output wire        DN,
-  output wire        was_up
+  input  wire clk,
+  input  wire rst,
+  input  wire power,
+  input  wire clear_after,
+  output wire DN
 );
-  wire [15:0] ACC_value = ACC_before + {15'b0, power & ~was_up_before};
+  reg [15:0] ACC = 16'd0;
+  reg was_up = 1'b1;
 
-  assign ACC = ACC_value;
-  assign DN = $signed(ACC_value) >= 16'sd99;
-  assign was_up = power;
+  wire [15:0] sum = ACC + {15'b0, power & ~was_up};
+  wire [15:0] ACC_next = clear_after ? 16'd0 : sum;
+  wire was_up_next = ~clear_after & power;
+
+  assign DN = $signed(sum) >= 16'sd99;
+
+  always @(posedge clk) begin
+    if (rst) begin
+      ACC <= 16'd0;
+      was_up <= 1'b1;
+    end else begin
+      ACC <= ACC_next;
+      was_up <= was_up_next;
+    end
+  end
 endmodule
 
 // AB_CTD: down counter of Allen-Bradley
@@ -36,18 +48,30 @@ endmodule
 // DN    ###____
 // ACC+1 3221110
 module ab_counters_AB_CTD_PRE1 (
-  input  wire        power,
-  input  wire [15:0] ACC_before,
-  input  wire        was_down_before,
-  output wire [15:0] ACC,
-  output wire        DN,
-  output wire        was_down
+  input  wire clk,
+  input  wire rst,
+  input  wire power,
+  input  wire clear_after,
+  output wire DN
 );
-  wire [15:0] ACC_value = ACC_before - {15'b0, power & ~was_down_before};
+  reg [15:0] ACC = 16'd50;
+  reg was_down = 1'b1;
 
-  assign ACC = ACC_value;
-  assign DN = $signed(ACC_value) >= 16'sd1;
-  assign was_down = power;
+  wire [15:0] difference = ACC - {15'b0, power & ~was_down};
+  wire [15:0] ACC_next = clear_after ? 16'd0 : difference;
+  wire was_down_next = ~clear_after & power;
+
+  assign DN = $signed(difference) >= 16'sd1;
+
+  always @(posedge clk) begin
+    if (rst) begin
+      ACC <= 16'd50;
+      was_down <= 1'b1;
+    end else begin
+      ACC <= ACC_next;
+      was_down <= was_down_next;
+    end
+  end
 endmodule
 
 // AB_CTU: up counter of Allen-Bradley
@@ -58,25 +82,41 @@ endmodule
 // DN  ___#####___#
 // ACC 011222330112
 module ab_counters_AB_CTU (
+  input  wire        clk,
+  input  wire        rst,
   input  wire        power,
   input  wire [15:0] ACC_before,
-  input  wire        OV_before,
-  input  wire        UN_before,
-  input  wire        was_up_before,
+  input  wire        clear_after,
   output wire [15:0] ACC,
-  output wire        OV,
-  output wire        UN,
-  output wire        was_up
+  output wire        OV
 );
-  wire condition = power & ~was_up_before;
+  reg OV_reg = 1'b0;
+  reg UN = 1'b0;
+  reg was_up = 1'b1;
+
+  wire condition = power & ~was_up;
   wire [15:0] ACC_value = ACC_before + {15'b0, condition};
   wire equal = ACC_before == 16'd32767;
   wire condition_2 = condition & equal;
+  wire OV_value = OV_reg | condition_2 & ~UN;
+  wire OV_next = clear_after ? 1'b0 : OV_value;
+  wire UN_next = clear_after ? 1'b0 : UN & ~condition_2;
+  wire was_up_next = clear_after ? 1'b0 : power;
 
   assign ACC = ACC_value;
-  assign OV = OV_before | condition_2 & ~UN_before;
-  assign UN = UN_before & ~condition_2;
-  assign was_up = power;
+  assign OV = OV_value;
+
+  always @(posedge clk) begin
+    if (rst) begin
+      OV_reg <= 1'b0;
+      UN <= 1'b0;
+      was_up <= 1'b1;
+    end else begin
+      OV_reg <= OV_next;
+      UN <= UN_next;
+      was_up <= was_up_next;
+    end
+  end
 endmodule
 
 // CTU: up counter
@@ -176,74 +216,54 @@ module ab_counters (
   output wire siemens_down_done,
   output wire overflow
 );
-  reg [15:0] c5_0_ACC_reg = 16'd0;
-  reg c5_0_was_up_reg = 1'b1;
-  reg [15:0] c5_1_ACC_reg = 16'd50;
-  reg c5_1_was_down_reg = 1'b1;
   reg [15:0] c5_2_ACC_reg = 16'd0;
-  reg overflow_reg = 1'b0;
-  reg c5_2_UN_reg = 1'b0;
-  reg c5_2_was_up_reg = 1'b1;
   reg up_done_reg = 1'b0;
   reg down_done_reg = 1'b0;
   reg siemens_up_done_reg = 1'b0;
   reg siemens_down_done_reg = 1'b0;
+  reg overflow_reg = 1'b0;
 
   // rung 1 "C5:0 up to 99", ab_counters.ladder:12
-  wire [15:0] c5_0_ACC;
   wire c5_0_DN;
-  wire c5_0_was_up;
   ab_counters_AB_CTU_PRE99 c5_0 (
+    .clk(clk),
+    .rst(rst),
     .power(count_up),
-    .ACC_before(c5_0_ACC_reg),
-    .was_up_before(c5_0_was_up_reg),
-    .ACC(c5_0_ACC),
-    .DN(c5_0_DN),
-    .was_up(c5_0_was_up)
+    .clear_after(reset_up),
+    .DN(c5_0_DN)
   );
 
   // rung 2, ab_counters.ladder:15
   wire up_done_next = c5_0_DN;
 
   // rung 3, ab_counters.ladder:17
-  wire [15:0] c5_0_ACC_next = reset_up ? 16'd0 : c5_0_ACC;
-  wire c5_0_was_up_next = reset_up ? 1'b0 : c5_0_was_up;
 
   // rung 4 "C5:1 down from 50: DN while 1 or more are left", ab_counters.ladder:19
-  wire [15:0] c5_1_ACC;
   wire c5_1_DN;
-  wire c5_1_was_down;
   ab_counters_AB_CTD_PRE1 c5_1 (
+    .clk(clk),
+    .rst(rst),
     .power(count_down),
-    .ACC_before(c5_1_ACC_reg),
-    .was_down_before(c5_1_was_down_reg),
-    .ACC(c5_1_ACC),
-    .DN(c5_1_DN),
-    .was_down(c5_1_was_down)
+    .clear_after(reset_down),
+    .DN(c5_1_DN)
   );
 
   // rung 5 "so nothing is left when it is off", ab_counters.ladder:22
   wire down_done_next = ~c5_1_DN;
 
   // rung 6, ab_counters.ladder:25
-  wire [15:0] c5_1_ACC_next = reset_down ? 16'd0 : c5_1_ACC;
-  wire c5_1_was_down_next = ~reset_down & c5_1_was_down;
 
   // rung 7 "C5:2 for the end of the range; CTU stops at 32767", ab_counters.ladder:27
   wire [15:0] c5_2_ACC;
   wire c5_2_OV;
-  wire c5_2_UN;
-  wire c5_2_was_up;
   ab_counters_AB_CTU c5_2 (
+    .clk(clk),
+    .rst(rst),
     .power(count_up),
     .ACC_before(c5_2_ACC_reg),
-    .OV_before(overflow_reg),
-    .UN_before(c5_2_UN_reg),
-    .was_up_before(c5_2_was_up_reg),
+    .clear_after(reset_up),
     .ACC(c5_2_ACC),
-    .OV(c5_2_OV),
-    .UN(c5_2_UN),
-    .was_up(c5_2_was_up)
+    .OV(c5_2_OV)
   );
 
   // rung 8, ab_counters.ladder:30
@@ -251,9 +271,7 @@ module ab_counters (
 
   // rung 9, ab_counters.ladder:32
   wire [15:0] c5_2_ACC_next = reset_up ? 16'd0 : c5_2_ACC_rung8;
-  wire overflow_next = reset_up ? 1'b0 : c5_2_OV;
-  wire c5_2_UN_next = reset_up ? 1'b0 : c5_2_UN;
-  wire c5_2_was_up_next = reset_up ? 1'b0 : c5_2_was_up;
+  wire overflow_next = ~reset_up & c5_2_OV;
 
   // rung 10, ab_counters.ladder:34
 
@@ -287,31 +305,19 @@ module ab_counters (
 
   always @(posedge clk) begin
     if (rst) begin
-      c5_0_ACC_reg <= 16'd0;
-      c5_0_was_up_reg <= 1'b1;
-      c5_1_ACC_reg <= 16'd50;
-      c5_1_was_down_reg <= 1'b1;
       c5_2_ACC_reg <= 16'd0;
-      overflow_reg <= 1'b0;
-      c5_2_UN_reg <= 1'b0;
-      c5_2_was_up_reg <= 1'b1;
       up_done_reg <= 1'b0;
       down_done_reg <= 1'b0;
       siemens_up_done_reg <= 1'b0;
       siemens_down_done_reg <= 1'b0;
+      overflow_reg <= 1'b0;
     end else begin
-      c5_0_ACC_reg <= c5_0_ACC_next;
-      c5_0_was_up_reg <= c5_0_was_up_next;
-      c5_1_ACC_reg <= c5_1_ACC_next;
-      c5_1_was_down_reg <= c5_1_was_down_next;
       c5_2_ACC_reg <= c5_2_ACC_next;
-      overflow_reg <= overflow_next;
-      c5_2_UN_reg <= c5_2_UN_next;
-      c5_2_was_up_reg <= c5_2_was_up_next;
       up_done_reg <= up_done_next;
       down_done_reg <= down_done_next;
       siemens_up_done_reg <= siemens_up_done_next;
       siemens_down_done_reg <= siemens_down_done_next;
+      overflow_reg <= overflow_next;
     end
   end
 

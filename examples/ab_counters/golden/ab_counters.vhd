@@ -14,23 +14,39 @@ use ieee.numeric_std.all;
 
 entity ab_counters_AB_CTU_PRE99 is
   port (
-    power         : in  std_logic;
-    ACC_before    : in  unsigned(15 downto 0);
-    was_up_before : in  std_logic;
-    ACC           : out unsigned(15 downto 0);
-    DN            : out std_logic;
-    was_up        : out std_logic
+    clk         : in  std_logic;
+    rst         : in  std_logic;
+    power       : in  std_logic;
+    clear_after : in  std_logic;
+    DN          : out std_logic
   );
 end entity ab_counters_AB_CTU_PRE99;
 
 architecture rtl of ab_counters_AB_CTU_PRE99 is
-  signal ACC_value : unsigned(15 downto 0);
+  signal ACC : unsigned(15 downto 0) := (others => '0');
+  signal was_up : std_logic := '1';
+  signal sum : unsigned(15 downto 0);
+  signal ACC_next : unsigned(15 downto 0);
+  signal was_up_next : std_logic;
 begin
-  ACC_value <= ACC_before + (to_unsigned(0, 15) & (power and not was_up_before));
+  sum <= ACC + (to_unsigned(0, 15) & (power and not was_up));
+  ACC_next <= to_unsigned(0, 16) when clear_after = '1' else sum;
+  was_up_next <= not clear_after and power;
 
-  ACC <= ACC_value;
-  DN <= '1' when signed(ACC_value) >= 99 else '0';
-  was_up <= power;
+  DN <= '1' when signed(sum) >= 99 else '0';
+
+  process (clk)
+  begin
+    if rising_edge(clk) then
+      if rst = '1' then
+        ACC <= (others => '0');
+        was_up <= '1';
+      else
+        ACC <= ACC_next;
+        was_up <= was_up_next;
+      end if;
+    end if;
+  end process;
 end architecture rtl;
 
 -- AB_CTD: down counter of Allen-Bradley
@@ -46,23 +62,39 @@ use ieee.numeric_std.all;
 
 entity ab_counters_AB_CTD_PRE1 is
   port (
-    power           : in  std_logic;
-    ACC_before      : in  unsigned(15 downto 0);
-    was_down_before : in  std_logic;
-    ACC             : out unsigned(15 downto 0);
-    DN              : out std_logic;
-    was_down        : out std_logic
+    clk         : in  std_logic;
+    rst         : in  std_logic;
+    power       : in  std_logic;
+    clear_after : in  std_logic;
+    DN          : out std_logic
   );
 end entity ab_counters_AB_CTD_PRE1;
 
 architecture rtl of ab_counters_AB_CTD_PRE1 is
-  signal ACC_value : unsigned(15 downto 0);
+  signal ACC : unsigned(15 downto 0) := to_unsigned(50, 16);
+  signal was_down : std_logic := '1';
+  signal difference : unsigned(15 downto 0);
+  signal ACC_next : unsigned(15 downto 0);
+  signal was_down_next : std_logic;
 begin
-  ACC_value <= ACC_before - (to_unsigned(0, 15) & (power and not was_down_before));
+  difference <= ACC - (to_unsigned(0, 15) & (power and not was_down));
+  ACC_next <= to_unsigned(0, 16) when clear_after = '1' else difference;
+  was_down_next <= not clear_after and power;
 
-  ACC <= ACC_value;
-  DN <= '1' when signed(ACC_value) >= 1 else '0';
-  was_down <= power;
+  DN <= '1' when signed(difference) >= 1 else '0';
+
+  process (clk)
+  begin
+    if rising_edge(clk) then
+      if rst = '1' then
+        ACC <= to_unsigned(50, 16);
+        was_down <= '1';
+      else
+        ACC <= ACC_next;
+        was_down <= was_down_next;
+      end if;
+    end if;
+  end process;
 end architecture rtl;
 
 -- AB_CTU: up counter of Allen-Bradley
@@ -78,33 +110,55 @@ use ieee.numeric_std.all;
 
 entity ab_counters_AB_CTU is
   port (
-    power         : in  std_logic;
-    ACC_before    : in  unsigned(15 downto 0);
-    OV_before     : in  std_logic;
-    UN_before     : in  std_logic;
-    was_up_before : in  std_logic;
-    ACC           : out unsigned(15 downto 0);
-    OV            : out std_logic;
-    UN            : out std_logic;
-    was_up        : out std_logic
+    clk         : in  std_logic;
+    rst         : in  std_logic;
+    power       : in  std_logic;
+    ACC_before  : in  unsigned(15 downto 0);
+    clear_after : in  std_logic;
+    ACC         : out unsigned(15 downto 0);
+    OV          : out std_logic
   );
 end entity ab_counters_AB_CTU;
 
 architecture rtl of ab_counters_AB_CTU is
+  signal OV_reg : std_logic := '0';
+  signal UN : std_logic := '0';
+  signal was_up : std_logic := '1';
   signal condition : std_logic;
   signal ACC_value : unsigned(15 downto 0);
   signal equal : std_logic;
   signal condition_2 : std_logic;
+  signal OV_value : std_logic;
+  signal OV_next : std_logic;
+  signal UN_next : std_logic;
+  signal was_up_next : std_logic;
 begin
-  condition <= power and not was_up_before;
+  condition <= power and not was_up;
   ACC_value <= ACC_before + (to_unsigned(0, 15) & condition);
   equal <= '1' when ACC_before = 32767 else '0';
   condition_2 <= condition and equal;
+  OV_value <= OV_reg or (condition_2 and not UN);
+  OV_next <= '0' when clear_after = '1' else OV_value;
+  UN_next <= '0' when clear_after = '1' else UN and not condition_2;
+  was_up_next <= '0' when clear_after = '1' else power;
 
   ACC <= ACC_value;
-  OV <= OV_before or (condition_2 and not UN_before);
-  UN <= UN_before and not condition_2;
-  was_up <= power;
+  OV <= OV_value;
+
+  process (clk)
+  begin
+    if rising_edge(clk) then
+      if rst = '1' then
+        OV_reg <= '0';
+        UN <= '0';
+        was_up <= '1';
+      else
+        OV_reg <= OV_next;
+        UN <= UN_next;
+        was_up <= was_up_next;
+      end if;
+    end if;
+  end process;
 end architecture rtl;
 
 -- CTU: up counter
@@ -248,39 +302,21 @@ entity ab_counters is
 end entity ab_counters;
 
 architecture rtl of ab_counters is
-  signal c5_0_ACC_reg : unsigned(15 downto 0) := (others => '0');
-  signal c5_0_was_up_reg : std_logic := '1';
-  signal c5_1_ACC_reg : unsigned(15 downto 0) := to_unsigned(50, 16);
-  signal c5_1_was_down_reg : std_logic := '1';
   signal c5_2_ACC_reg : unsigned(15 downto 0) := (others => '0');
-  signal overflow_reg : std_logic := '0';
-  signal c5_2_UN_reg : std_logic := '0';
-  signal c5_2_was_up_reg : std_logic := '1';
   signal up_done_reg : std_logic := '0';
   signal down_done_reg : std_logic := '0';
   signal siemens_up_done_reg : std_logic := '0';
   signal siemens_down_done_reg : std_logic := '0';
-  signal c5_0_ACC : unsigned(15 downto 0);
+  signal overflow_reg : std_logic := '0';
   signal c5_0_DN : std_logic;
-  signal c5_0_was_up : std_logic;
   signal up_done_next : std_logic;
-  signal c5_0_ACC_next : unsigned(15 downto 0);
-  signal c5_0_was_up_next : std_logic;
-  signal c5_1_ACC : unsigned(15 downto 0);
   signal c5_1_DN : std_logic;
-  signal c5_1_was_down : std_logic;
   signal down_done_next : std_logic;
-  signal c5_1_ACC_next : unsigned(15 downto 0);
-  signal c5_1_was_down_next : std_logic;
   signal c5_2_ACC : unsigned(15 downto 0);
   signal c5_2_OV : std_logic;
-  signal c5_2_UN : std_logic;
-  signal c5_2_was_up : std_logic;
   signal c5_2_ACC_rung8 : unsigned(15 downto 0);
   signal c5_2_ACC_next : unsigned(15 downto 0);
   signal overflow_next : std_logic;
-  signal c5_2_UN_next : std_logic;
-  signal c5_2_was_up_next : std_logic;
   signal c1_Q : std_logic;
   signal siemens_up_done_next : std_logic;
   signal c2_Q : std_logic;
@@ -290,51 +326,43 @@ begin
   -- rung 1 "C5:0 up to 99", ab_counters.ladder:12
   c5_0: entity work.ab_counters_AB_CTU_PRE99
     port map (
+      clk => clk,
+      rst => rst,
       power => count_up,
-      ACC_before => c5_0_ACC_reg,
-      was_up_before => c5_0_was_up_reg,
-      ACC => c5_0_ACC,
-      DN => c5_0_DN,
-      was_up => c5_0_was_up
+      clear_after => reset_up,
+      DN => c5_0_DN
     );
 
   -- rung 2, ab_counters.ladder:15
   up_done_next <= c5_0_DN;
 
   -- rung 3, ab_counters.ladder:17
-  c5_0_ACC_next <= to_unsigned(0, 16) when reset_up = '1' else c5_0_ACC;
-  c5_0_was_up_next <= '0' when reset_up = '1' else c5_0_was_up;
 
   -- rung 4 "C5:1 down from 50: DN while 1 or more are left", ab_counters.ladder:19
   c5_1: entity work.ab_counters_AB_CTD_PRE1
     port map (
+      clk => clk,
+      rst => rst,
       power => count_down,
-      ACC_before => c5_1_ACC_reg,
-      was_down_before => c5_1_was_down_reg,
-      ACC => c5_1_ACC,
-      DN => c5_1_DN,
-      was_down => c5_1_was_down
+      clear_after => reset_down,
+      DN => c5_1_DN
     );
 
   -- rung 5 "so nothing is left when it is off", ab_counters.ladder:22
   down_done_next <= not c5_1_DN;
 
   -- rung 6, ab_counters.ladder:25
-  c5_1_ACC_next <= to_unsigned(0, 16) when reset_down = '1' else c5_1_ACC;
-  c5_1_was_down_next <= not reset_down and c5_1_was_down;
 
   -- rung 7 "C5:2 for the end of the range; CTU stops at 32767", ab_counters.ladder:27
   c5_2: entity work.ab_counters_AB_CTU
     port map (
+      clk => clk,
+      rst => rst,
       power => count_up,
       ACC_before => c5_2_ACC_reg,
-      OV_before => overflow_reg,
-      UN_before => c5_2_UN_reg,
-      was_up_before => c5_2_was_up_reg,
+      clear_after => reset_up,
       ACC => c5_2_ACC,
-      OV => c5_2_OV,
-      UN => c5_2_UN,
-      was_up => c5_2_was_up
+      OV => c5_2_OV
     );
 
   -- rung 8, ab_counters.ladder:30
@@ -342,9 +370,7 @@ begin
 
   -- rung 9, ab_counters.ladder:32
   c5_2_ACC_next <= to_unsigned(0, 16) when reset_up = '1' else c5_2_ACC_rung8;
-  overflow_next <= '0' when reset_up = '1' else c5_2_OV;
-  c5_2_UN_next <= '0' when reset_up = '1' else c5_2_UN;
-  c5_2_was_up_next <= '0' when reset_up = '1' else c5_2_was_up;
+  overflow_next <= not reset_up and c5_2_OV;
 
   -- rung 10, ab_counters.ladder:34
 
@@ -380,31 +406,19 @@ begin
   begin
     if rising_edge(clk) then
       if rst = '1' then
-        c5_0_ACC_reg <= (others => '0');
-        c5_0_was_up_reg <= '1';
-        c5_1_ACC_reg <= to_unsigned(50, 16);
-        c5_1_was_down_reg <= '1';
         c5_2_ACC_reg <= (others => '0');
-        overflow_reg <= '0';
-        c5_2_UN_reg <= '0';
-        c5_2_was_up_reg <= '1';
         up_done_reg <= '0';
         down_done_reg <= '0';
         siemens_up_done_reg <= '0';
         siemens_down_done_reg <= '0';
+        overflow_reg <= '0';
       else
-        c5_0_ACC_reg <= c5_0_ACC_next;
-        c5_0_was_up_reg <= c5_0_was_up_next;
-        c5_1_ACC_reg <= c5_1_ACC_next;
-        c5_1_was_down_reg <= c5_1_was_down_next;
         c5_2_ACC_reg <= c5_2_ACC_next;
-        overflow_reg <= overflow_next;
-        c5_2_UN_reg <= c5_2_UN_next;
-        c5_2_was_up_reg <= c5_2_was_up_next;
         up_done_reg <= up_done_next;
         down_done_reg <= down_done_next;
         siemens_up_done_reg <= siemens_up_done_next;
         siemens_down_done_reg <= siemens_down_done_next;
+        overflow_reg <= overflow_next;
       end if;
     end if;
   end process;

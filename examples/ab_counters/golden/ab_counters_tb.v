@@ -15,18 +15,32 @@
 // DN  ___#####___#
 // ACC 011222330112
 module ab_counters_test_AB_CTU_PRE99 (
+  input  wire        clk,
+  input  wire        rst,
   input  wire        power,
-  input  wire [15:0] ACC_before,
-  input  wire        was_up_before,
-  output wire [15:0] ACC,
-  output wire        DN,
-  output wire        was_up
+  input  wire        clear_after,
+  output wire [15:0] ACC_last,
+  output wire        DN
 );
-  wire [15:0] ACC_value = ACC_before + {15'b0, power & ~was_up_before};
+  reg [15:0] ACC = 16'd0;
+  reg was_up = 1'b1;
 
-  assign ACC = ACC_value;
-  assign DN = $signed(ACC_value) >= 16'sd99;
-  assign was_up = power;
+  wire [15:0] sum = ACC + {15'b0, power & ~was_up};
+  wire [15:0] ACC_next = clear_after ? 16'd0 : sum;
+  wire was_up_next = ~clear_after & power;
+
+  assign ACC_last = ACC;
+  assign DN = $signed(sum) >= 16'sd99;
+
+  always @(posedge clk) begin
+    if (rst) begin
+      ACC <= 16'd0;
+      was_up <= 1'b1;
+    end else begin
+      ACC <= ACC_next;
+      was_up <= was_up_next;
+    end
+  end
 endmodule
 
 // AB_CTD: down counter of Allen-Bradley
@@ -37,18 +51,32 @@ endmodule
 // DN    ###____
 // ACC+1 3221110
 module ab_counters_test_AB_CTD_PRE1 (
+  input  wire        clk,
+  input  wire        rst,
   input  wire        power,
-  input  wire [15:0] ACC_before,
-  input  wire        was_down_before,
-  output wire [15:0] ACC,
-  output wire        DN,
-  output wire        was_down
+  input  wire        clear_after,
+  output wire [15:0] ACC_last,
+  output wire        DN
 );
-  wire [15:0] ACC_value = ACC_before - {15'b0, power & ~was_down_before};
+  reg [15:0] ACC = 16'd50;
+  reg was_down = 1'b1;
 
-  assign ACC = ACC_value;
-  assign DN = $signed(ACC_value) >= 16'sd1;
-  assign was_down = power;
+  wire [15:0] difference = ACC - {15'b0, power & ~was_down};
+  wire [15:0] ACC_next = clear_after ? 16'd0 : difference;
+  wire was_down_next = ~clear_after & power;
+
+  assign ACC_last = ACC;
+  assign DN = $signed(difference) >= 16'sd1;
+
+  always @(posedge clk) begin
+    if (rst) begin
+      ACC <= 16'd50;
+      was_down <= 1'b1;
+    end else begin
+      ACC <= ACC_next;
+      was_down <= was_down_next;
+    end
+  end
 endmodule
 
 // AB_CTU: up counter of Allen-Bradley
@@ -60,27 +88,50 @@ endmodule
 // DN  ___#####___#
 // ACC 011222330112
 module ab_counters_test_AB_CTU_PRE99_2 (
+  input  wire        clk,
+  input  wire        rst,
   input  wire        power,
   input  wire [15:0] ACC_before,
-  input  wire        OV_before,
-  input  wire        UN_before,
-  input  wire        was_up_before,
+  input  wire        clear_after,
   output wire [15:0] ACC,
-  output wire        DN,
+  output wire        DN_last,
   output wire        OV,
-  output wire        UN,
-  output wire        was_up
+  output wire        OV_last
 );
-  wire condition = power & ~was_up_before;
+  reg DN = 1'b0;
+  reg OV_reg = 1'b0;
+  reg UN = 1'b0;
+  reg was_up = 1'b1;
+
+  wire condition = power & ~was_up;
   wire [15:0] ACC_value = ACC_before + {15'b0, condition};
   wire equal = ACC_before == 16'd32767;
   wire condition_2 = condition & equal;
+  wire OV_value = OV_reg | condition_2 & ~UN;
+  wire at_least = $signed(ACC_value) >= 16'sd99;
+  wire DN_next = clear_after ? 1'b0 : at_least;
+  wire OV_next = clear_after ? 1'b0 : OV_value;
+  wire UN_next = clear_after ? 1'b0 : UN & ~condition_2;
+  wire was_up_next = clear_after ? 1'b0 : power;
 
   assign ACC = ACC_value;
-  assign DN = $signed(ACC_value) >= 16'sd99;
-  assign OV = OV_before | condition_2 & ~UN_before;
-  assign UN = UN_before & ~condition_2;
-  assign was_up = power;
+  assign DN_last = DN;
+  assign OV = OV_value;
+  assign OV_last = OV_reg;
+
+  always @(posedge clk) begin
+    if (rst) begin
+      DN <= 1'b0;
+      OV_reg <= 1'b0;
+      UN <= 1'b0;
+      was_up <= 1'b1;
+    end else begin
+      DN <= DN_next;
+      OV_reg <= OV_next;
+      UN <= UN_next;
+      was_up <= was_up_next;
+    end
+  end
 endmodule
 
 // CTU: up counter
@@ -184,15 +235,7 @@ module ab_counters_test (
   output wire        c5_2_DN,
   output wire        c5_2_OV
 );
-  reg [15:0] c5_0_ACC_reg = 16'd0;
-  reg c5_0_was_up_reg = 1'b1;
-  reg [15:0] c5_1_ACC_reg = 16'd50;
-  reg c5_1_was_down_reg = 1'b1;
   reg [15:0] c5_2_ACC_reg = 16'd0;
-  reg c5_2_DN_reg = 1'b0;
-  reg c5_2_OV_reg = 1'b0;
-  reg c5_2_UN_reg = 1'b0;
-  reg c5_2_was_up_reg = 1'b1;
   reg up_done_reg = 1'b0;
   reg down_done_reg = 1'b0;
   reg siemens_up_done_reg = 1'b0;
@@ -200,62 +243,54 @@ module ab_counters_test (
   reg overflow_reg = 1'b0;
 
   // rung 1 "C5:0 up to 99", ab_counters.ladder:12
-  wire [15:0] c5_0_ACC_2;
+  wire [15:0] c5_0_ACC_last;
   wire c5_0_DN;
-  wire c5_0_was_up;
   ab_counters_test_AB_CTU_PRE99 c5_0 (
+    .clk(clk),
+    .rst(rst),
     .power(count_up),
-    .ACC_before(c5_0_ACC_reg),
-    .was_up_before(c5_0_was_up_reg),
-    .ACC(c5_0_ACC_2),
-    .DN(c5_0_DN),
-    .was_up(c5_0_was_up)
+    .clear_after(reset_up),
+    .ACC_last(c5_0_ACC_last),
+    .DN(c5_0_DN)
   );
 
   // rung 2, ab_counters.ladder:15
   wire up_done_next = c5_0_DN;
 
   // rung 3, ab_counters.ladder:17
-  wire [15:0] c5_0_ACC_next = reset_up ? 16'd0 : c5_0_ACC_2;
-  wire c5_0_was_up_next = reset_up ? 1'b0 : c5_0_was_up;
 
   // rung 4 "C5:1 down from 50: DN while 1 or more are left", ab_counters.ladder:19
-  wire [15:0] c5_1_ACC_2;
+  wire [15:0] c5_1_ACC_last;
   wire c5_1_DN;
-  wire c5_1_was_down;
   ab_counters_test_AB_CTD_PRE1 c5_1 (
+    .clk(clk),
+    .rst(rst),
     .power(count_down),
-    .ACC_before(c5_1_ACC_reg),
-    .was_down_before(c5_1_was_down_reg),
-    .ACC(c5_1_ACC_2),
-    .DN(c5_1_DN),
-    .was_down(c5_1_was_down)
+    .clear_after(reset_down),
+    .ACC_last(c5_1_ACC_last),
+    .DN(c5_1_DN)
   );
 
   // rung 5 "so nothing is left when it is off", ab_counters.ladder:22
   wire down_done_next = ~c5_1_DN;
 
   // rung 6, ab_counters.ladder:25
-  wire [15:0] c5_1_ACC_next = reset_down ? 16'd0 : c5_1_ACC_2;
-  wire c5_1_was_down_next = ~reset_down & c5_1_was_down;
 
   // rung 7 "C5:2 for the end of the range; CTU stops at 32767", ab_counters.ladder:27
   wire [15:0] c5_2_ACC_2;
-  wire c5_2_DN_2;
+  wire c5_2_DN_last;
   wire c5_2_OV_2;
-  wire c5_2_UN;
-  wire c5_2_was_up;
+  wire c5_2_OV_last;
   ab_counters_test_AB_CTU_PRE99_2 c5_2 (
+    .clk(clk),
+    .rst(rst),
     .power(count_up),
     .ACC_before(c5_2_ACC_reg),
-    .OV_before(c5_2_OV_reg),
-    .UN_before(c5_2_UN_reg),
-    .was_up_before(c5_2_was_up_reg),
+    .clear_after(reset_up),
     .ACC(c5_2_ACC_2),
-    .DN(c5_2_DN_2),
+    .DN_last(c5_2_DN_last),
     .OV(c5_2_OV_2),
-    .UN(c5_2_UN),
-    .was_up(c5_2_was_up)
+    .OV_last(c5_2_OV_last)
   );
 
   // rung 8, ab_counters.ladder:30
@@ -263,10 +298,7 @@ module ab_counters_test (
 
   // rung 9, ab_counters.ladder:32
   wire [15:0] c5_2_ACC_next = reset_up ? 16'd0 : c5_2_ACC_rung8;
-  wire c5_2_DN_next = reset_up ? 1'b0 : c5_2_DN_2;
-  wire overflow_next = reset_up ? 1'b0 : c5_2_OV_2;
-  wire c5_2_UN_next = reset_up ? 1'b0 : c5_2_UN;
-  wire c5_2_was_up_next = reset_up ? 1'b0 : c5_2_was_up;
+  wire overflow_next = ~reset_up & c5_2_OV_2;
 
   // rung 10, ab_counters.ladder:34
 
@@ -302,40 +334,24 @@ module ab_counters_test (
   assign siemens_up_done = siemens_up_done_reg;
   assign siemens_down_done = siemens_down_done_reg;
   assign overflow = overflow_reg;
-  assign c5_0_ACC = c5_0_ACC_reg;
+  assign c5_0_ACC = c5_0_ACC_last;
   assign c1_CV = c1_CV_value;
-  assign c5_1_ACC = c5_1_ACC_reg;
+  assign c5_1_ACC = c5_1_ACC_last;
   assign c2_CV = c2_CV_last;
   assign c5_2_ACC = c5_2_ACC_reg;
-  assign c5_2_DN = c5_2_DN_reg;
-  assign c5_2_OV = c5_2_OV_reg;
+  assign c5_2_DN = c5_2_DN_last;
+  assign c5_2_OV = c5_2_OV_last;
 
   always @(posedge clk) begin
     if (rst) begin
-      c5_0_ACC_reg <= 16'd0;
-      c5_0_was_up_reg <= 1'b1;
-      c5_1_ACC_reg <= 16'd50;
-      c5_1_was_down_reg <= 1'b1;
       c5_2_ACC_reg <= 16'd0;
-      c5_2_DN_reg <= 1'b0;
-      c5_2_OV_reg <= 1'b0;
-      c5_2_UN_reg <= 1'b0;
-      c5_2_was_up_reg <= 1'b1;
       up_done_reg <= 1'b0;
       down_done_reg <= 1'b0;
       siemens_up_done_reg <= 1'b0;
       siemens_down_done_reg <= 1'b0;
       overflow_reg <= 1'b0;
     end else begin
-      c5_0_ACC_reg <= c5_0_ACC_next;
-      c5_0_was_up_reg <= c5_0_was_up_next;
-      c5_1_ACC_reg <= c5_1_ACC_next;
-      c5_1_was_down_reg <= c5_1_was_down_next;
       c5_2_ACC_reg <= c5_2_ACC_next;
-      c5_2_DN_reg <= c5_2_DN_next;
-      c5_2_OV_reg <= overflow_next;
-      c5_2_UN_reg <= c5_2_UN_next;
-      c5_2_was_up_reg <= c5_2_was_up_next;
       up_done_reg <= up_done_next;
       down_done_reg <= down_done_next;
       siemens_up_done_reg <= siemens_up_done_next;

@@ -14,41 +14,41 @@
 // DN  ____####______
 // ACC 00123333000120
 module ab_flasher_AB_TON_BASE10_PRE30 (
-  input  wire        clk,
-  input  wire        rst,
-  input  wire        tick,
-  input  wire        power,
-  input  wire [15:0] ACC_before,
-  input  wire [31:0] fraction_before,
-  output wire [15:0] ACC,
-  output wire        DN_last,
-  output wire [31:0] fraction
+  input  wire clk,
+  input  wire rst,
+  input  wire tick,
+  input  wire power,
+  output wire DN_last
 );
+  reg [4:0] ACC = 5'd0;
   reg DN = 1'b0;
+  reg [3:0] fraction = 4'd0;
   reg was = 1'b0;
 
   wire condition = power & was & ~DN & tick;
-  wire equal = fraction_before == 32'd9;
+  wire equal = fraction == 4'd9;
   wire condition_2 = condition & equal;
-  wire [31:0] sum = fraction_before + {31'b0, condition};
-  wire [31:0] choice = condition_2 ? 32'd0 : sum;
-  wire unequal = ACC_before != 16'd32767;
-  wire [15:0] sum_2 = ACC_before + {15'b0, condition_2 & unequal};
-  wire at_least = $signed(sum_2) >= 16'sd30;
-  wire DN_next = power & (DN | at_least);
-  wire [15:0] ACC_value = power ? sum_2 : 16'd0;
-  wire [31:0] fraction_value = power ? choice : 32'd0;
+  wire [3:0] sum = fraction + {3'b0, condition};
+  wire [3:0] choice = condition_2 ? 4'd0 : sum;
+  wire equal_2 = ACC == 5'd30;
+  wire [4:0] sum_2 = ACC + {4'b0, condition_2 & ~equal_2};
+  wire equal_3 = ACC == 5'd29;
+  wire DN_next = power & (DN | condition_2 & equal_3 | equal_2);
+  wire [4:0] ACC_next = power ? sum_2 : 5'd0;
+  wire [3:0] fraction_next = power ? choice : 4'd0;
 
-  assign ACC = ACC_value;
   assign DN_last = DN;
-  assign fraction = fraction_value;
 
   always @(posedge clk) begin
     if (rst) begin
+      ACC <= 5'd0;
       DN <= 1'b0;
+      fraction <= 4'd0;
       was <= 1'b0;
     end else begin
+      ACC <= ACC_next;
       DN <= DN_next;
+      fraction <= fraction_next;
       was <= power;
     end
   end
@@ -63,41 +63,41 @@ endmodule
 // DN  ____####______
 // ACC 00123333000120
 module ab_flasher_AB_TON_BASE10_PRE50 (
-  input  wire        clk,
-  input  wire        rst,
-  input  wire        tick,
-  input  wire        power,
-  input  wire [15:0] ACC_before,
-  input  wire [31:0] fraction_before,
-  output wire [15:0] ACC,
-  output wire        DN,
-  output wire [31:0] fraction
+  input  wire clk,
+  input  wire rst,
+  input  wire tick,
+  input  wire power,
+  output wire DN
 );
+  reg [5:0] ACC = 6'd0;
   reg DN_reg = 1'b0;
+  reg [3:0] fraction = 4'd0;
   reg was = 1'b0;
 
   wire condition = power & was & ~DN_reg & tick;
-  wire equal = fraction_before == 32'd9;
+  wire equal = fraction == 4'd9;
   wire condition_2 = condition & equal;
-  wire [31:0] sum = fraction_before + {31'b0, condition};
-  wire [31:0] choice = condition_2 ? 32'd0 : sum;
-  wire unequal = ACC_before != 16'd32767;
-  wire [15:0] sum_2 = ACC_before + {15'b0, condition_2 & unequal};
-  wire at_least = $signed(sum_2) >= 16'sd50;
-  wire DN_next = power & (DN_reg | at_least);
-  wire [15:0] ACC_value = power ? sum_2 : 16'd0;
-  wire [31:0] fraction_value = power ? choice : 32'd0;
+  wire [3:0] sum = fraction + {3'b0, condition};
+  wire [3:0] choice = condition_2 ? 4'd0 : sum;
+  wire equal_2 = ACC == 6'd50;
+  wire [5:0] sum_2 = ACC + {5'b0, condition_2 & ~equal_2};
+  wire equal_3 = ACC == 6'd49;
+  wire DN_next = power & (DN_reg | condition_2 & equal_3 | equal_2);
+  wire [5:0] ACC_next = power ? sum_2 : 6'd0;
+  wire [3:0] fraction_next = power ? choice : 4'd0;
 
-  assign ACC = ACC_value;
   assign DN = DN_next;
-  assign fraction = fraction_value;
 
   always @(posedge clk) begin
     if (rst) begin
+      ACC <= 6'd0;
       DN_reg <= 1'b0;
+      fraction <= 4'd0;
       was <= 1'b0;
     end else begin
+      ACC <= ACC_next;
       DN_reg <= DN_next;
+      fraction <= fraction_next;
       was <= power;
     end
   end
@@ -193,45 +193,29 @@ module ab_flasher (
   output wire ab_light,
   output wire siemens_light
 );
-  reg [15:0] t4_0_ACC_reg = 16'd0;
-  reg [31:0] t4_0_fraction_reg = 32'd0;
-  reg [15:0] t4_1_ACC_reg = 16'd0;
-  reg [31:0] t4_1_fraction_reg = 32'd0;
   reg ab_light_reg = 1'b0;
   reg siemens_light_reg = 1'b0;
 
   // rung 1 "T4:0: dark for 0.5 s", ab_flasher.ladder:7
-  wire [15:0] t4_1_ACC;
   wire t4_1_DN_last;
-  wire [31:0] t4_1_fraction;
   wire t4_0_power = enable & ~t4_1_DN_last;
-  wire [15:0] t4_0_ACC;
   wire t4_0_DN;
-  wire [31:0] t4_0_fraction;
-  ab_flasher_AB_TON_BASE10_PRE50 t4_0 (
-    .clk(clk),
-    .rst(rst),
-    .tick(tick),
-    .power(t4_0_power),
-    .ACC_before(t4_0_ACC_reg),
-    .fraction_before(t4_0_fraction_reg),
-    .ACC(t4_0_ACC),
-    .DN(t4_0_DN),
-    .fraction(t4_0_fraction)
-  );
-
-  // rung 2 "T4:1: lit for 0.3 s", ab_flasher.ladder:10
   ab_flasher_AB_TON_BASE10_PRE30 t4_1 (
     .clk(clk),
     .rst(rst),
     .tick(tick),
     .power(t4_0_DN),
-    .ACC_before(t4_1_ACC_reg),
-    .fraction_before(t4_1_fraction_reg),
-    .ACC(t4_1_ACC),
-    .DN_last(t4_1_DN_last),
-    .fraction(t4_1_fraction)
+    .DN_last(t4_1_DN_last)
   );
+  ab_flasher_AB_TON_BASE10_PRE50 t4_0 (
+    .clk(clk),
+    .rst(rst),
+    .tick(tick),
+    .power(t4_0_power),
+    .DN(t4_0_DN)
+  );
+
+  // rung 2 "T4:1: lit for 0.3 s", ab_flasher.ladder:10
 
   // rung 3, ab_flasher.ladder:13
   wire ab_light_next = t4_0_DN;
@@ -265,17 +249,9 @@ module ab_flasher (
 
   always @(posedge clk) begin
     if (rst) begin
-      t4_0_ACC_reg <= 16'd0;
-      t4_0_fraction_reg <= 32'd0;
-      t4_1_ACC_reg <= 16'd0;
-      t4_1_fraction_reg <= 32'd0;
       ab_light_reg <= 1'b0;
       siemens_light_reg <= 1'b0;
     end else begin
-      t4_0_ACC_reg <= t4_0_ACC;
-      t4_0_fraction_reg <= t4_0_fraction;
-      t4_1_ACC_reg <= t4_1_ACC;
-      t4_1_fraction_reg <= t4_1_fraction;
       ab_light_reg <= ab_light_next;
       siemens_light_reg <= siemens_light_next;
     end

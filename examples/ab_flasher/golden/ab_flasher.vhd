@@ -14,57 +14,57 @@ use ieee.numeric_std.all;
 
 entity ab_flasher_AB_TON_BASE10_PRE30 is
   port (
-    clk             : in  std_logic;
-    rst             : in  std_logic;
-    tick            : in  std_logic;
-    power           : in  std_logic;
-    ACC_before      : in  unsigned(15 downto 0);
-    fraction_before : in  unsigned(31 downto 0);
-    ACC             : out unsigned(15 downto 0);
-    DN_last         : out std_logic;
-    fraction        : out unsigned(31 downto 0)
+    clk     : in  std_logic;
+    rst     : in  std_logic;
+    tick    : in  std_logic;
+    power   : in  std_logic;
+    DN_last : out std_logic
   );
 end entity ab_flasher_AB_TON_BASE10_PRE30;
 
 architecture rtl of ab_flasher_AB_TON_BASE10_PRE30 is
+  signal ACC : unsigned(4 downto 0) := (others => '0');
   signal DN : std_logic := '0';
+  signal fraction : unsigned(3 downto 0) := (others => '0');
   signal was : std_logic := '0';
   signal condition : std_logic;
   signal equal : std_logic;
   signal condition_2 : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal choice : unsigned(31 downto 0);
-  signal unequal : std_logic;
-  signal sum_2 : unsigned(15 downto 0);
-  signal at_least : std_logic;
+  signal sum : unsigned(3 downto 0);
+  signal choice : unsigned(3 downto 0);
+  signal equal_2 : std_logic;
+  signal sum_2 : unsigned(4 downto 0);
+  signal equal_3 : std_logic;
   signal DN_next : std_logic;
-  signal ACC_value : unsigned(15 downto 0);
-  signal fraction_value : unsigned(31 downto 0);
+  signal ACC_next : unsigned(4 downto 0);
+  signal fraction_next : unsigned(3 downto 0);
 begin
   condition <= power and was and not DN and tick;
-  equal <= '1' when fraction_before = 9 else '0';
+  equal <= '1' when fraction = 9 else '0';
   condition_2 <= condition and equal;
-  sum <= fraction_before + (to_unsigned(0, 31) & condition);
-  choice <= to_unsigned(0, 32) when condition_2 = '1' else sum;
-  unequal <= '1' when ACC_before /= 32767 else '0';
-  sum_2 <= ACC_before + (to_unsigned(0, 15) & (condition_2 and unequal));
-  at_least <= '1' when signed(sum_2) >= 30 else '0';
-  DN_next <= power and (DN or at_least);
-  ACC_value <= sum_2 when power = '1' else to_unsigned(0, 16);
-  fraction_value <= choice when power = '1' else to_unsigned(0, 32);
+  sum <= fraction + (to_unsigned(0, 3) & condition);
+  choice <= to_unsigned(0, 4) when condition_2 = '1' else sum;
+  equal_2 <= '1' when ACC = 30 else '0';
+  sum_2 <= ACC + (to_unsigned(0, 4) & (condition_2 and not equal_2));
+  equal_3 <= '1' when ACC = 29 else '0';
+  DN_next <= power and (DN or (condition_2 and equal_3) or equal_2);
+  ACC_next <= sum_2 when power = '1' else to_unsigned(0, 5);
+  fraction_next <= choice when power = '1' else to_unsigned(0, 4);
 
-  ACC <= ACC_value;
   DN_last <= DN;
-  fraction <= fraction_value;
 
   process (clk)
   begin
     if rising_edge(clk) then
       if rst = '1' then
+        ACC <= (others => '0');
         DN <= '0';
+        fraction <= (others => '0');
         was <= '0';
       else
+        ACC <= ACC_next;
         DN <= DN_next;
+        fraction <= fraction_next;
         was <= power;
       end if;
     end if;
@@ -85,57 +85,57 @@ use ieee.numeric_std.all;
 
 entity ab_flasher_AB_TON_BASE10_PRE50 is
   port (
-    clk             : in  std_logic;
-    rst             : in  std_logic;
-    tick            : in  std_logic;
-    power           : in  std_logic;
-    ACC_before      : in  unsigned(15 downto 0);
-    fraction_before : in  unsigned(31 downto 0);
-    ACC             : out unsigned(15 downto 0);
-    DN              : out std_logic;
-    fraction        : out unsigned(31 downto 0)
+    clk   : in  std_logic;
+    rst   : in  std_logic;
+    tick  : in  std_logic;
+    power : in  std_logic;
+    DN    : out std_logic
   );
 end entity ab_flasher_AB_TON_BASE10_PRE50;
 
 architecture rtl of ab_flasher_AB_TON_BASE10_PRE50 is
+  signal ACC : unsigned(5 downto 0) := (others => '0');
   signal DN_reg : std_logic := '0';
+  signal fraction : unsigned(3 downto 0) := (others => '0');
   signal was : std_logic := '0';
   signal condition : std_logic;
   signal equal : std_logic;
   signal condition_2 : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal choice : unsigned(31 downto 0);
-  signal unequal : std_logic;
-  signal sum_2 : unsigned(15 downto 0);
-  signal at_least : std_logic;
+  signal sum : unsigned(3 downto 0);
+  signal choice : unsigned(3 downto 0);
+  signal equal_2 : std_logic;
+  signal sum_2 : unsigned(5 downto 0);
+  signal equal_3 : std_logic;
   signal DN_next : std_logic;
-  signal ACC_value : unsigned(15 downto 0);
-  signal fraction_value : unsigned(31 downto 0);
+  signal ACC_next : unsigned(5 downto 0);
+  signal fraction_next : unsigned(3 downto 0);
 begin
   condition <= power and was and not DN_reg and tick;
-  equal <= '1' when fraction_before = 9 else '0';
+  equal <= '1' when fraction = 9 else '0';
   condition_2 <= condition and equal;
-  sum <= fraction_before + (to_unsigned(0, 31) & condition);
-  choice <= to_unsigned(0, 32) when condition_2 = '1' else sum;
-  unequal <= '1' when ACC_before /= 32767 else '0';
-  sum_2 <= ACC_before + (to_unsigned(0, 15) & (condition_2 and unequal));
-  at_least <= '1' when signed(sum_2) >= 50 else '0';
-  DN_next <= power and (DN_reg or at_least);
-  ACC_value <= sum_2 when power = '1' else to_unsigned(0, 16);
-  fraction_value <= choice when power = '1' else to_unsigned(0, 32);
+  sum <= fraction + (to_unsigned(0, 3) & condition);
+  choice <= to_unsigned(0, 4) when condition_2 = '1' else sum;
+  equal_2 <= '1' when ACC = 50 else '0';
+  sum_2 <= ACC + (to_unsigned(0, 5) & (condition_2 and not equal_2));
+  equal_3 <= '1' when ACC = 49 else '0';
+  DN_next <= power and (DN_reg or (condition_2 and equal_3) or equal_2);
+  ACC_next <= sum_2 when power = '1' else to_unsigned(0, 6);
+  fraction_next <= choice when power = '1' else to_unsigned(0, 4);
 
-  ACC <= ACC_value;
   DN <= DN_next;
-  fraction <= fraction_value;
 
   process (clk)
   begin
     if rising_edge(clk) then
       if rst = '1' then
+        ACC <= (others => '0');
         DN_reg <= '0';
+        fraction <= (others => '0');
         was <= '0';
       else
+        ACC <= ACC_next;
         DN_reg <= DN_next;
+        fraction <= fraction_next;
         was <= power;
       end if;
     end if;
@@ -278,19 +278,11 @@ entity ab_flasher is
 end entity ab_flasher;
 
 architecture rtl of ab_flasher is
-  signal t4_0_ACC_reg : unsigned(15 downto 0) := (others => '0');
-  signal t4_0_fraction_reg : unsigned(31 downto 0) := (others => '0');
-  signal t4_1_ACC_reg : unsigned(15 downto 0) := (others => '0');
-  signal t4_1_fraction_reg : unsigned(31 downto 0) := (others => '0');
   signal ab_light_reg : std_logic := '0';
   signal siemens_light_reg : std_logic := '0';
-  signal t4_1_ACC : unsigned(15 downto 0);
   signal t4_1_DN_last : std_logic;
-  signal t4_1_fraction : unsigned(31 downto 0);
   signal t4_0_power : std_logic;
-  signal t4_0_ACC : unsigned(15 downto 0);
   signal t4_0_DN : std_logic;
-  signal t4_0_fraction : unsigned(31 downto 0);
   signal ab_light_next : std_logic;
   signal t2_Q_last : std_logic;
   signal t1_power : std_logic;
@@ -300,32 +292,24 @@ begin
 
   -- rung 1 "T4:0: dark for 0.5 s", ab_flasher.ladder:7
   t4_0_power <= enable and not t4_1_DN_last;
-  t4_0: entity work.ab_flasher_AB_TON_BASE10_PRE50
-    port map (
-      clk => clk,
-      rst => rst,
-      tick => tick,
-      power => t4_0_power,
-      ACC_before => t4_0_ACC_reg,
-      fraction_before => t4_0_fraction_reg,
-      ACC => t4_0_ACC,
-      DN => t4_0_DN,
-      fraction => t4_0_fraction
-    );
-
-  -- rung 2 "T4:1: lit for 0.3 s", ab_flasher.ladder:10
   t4_1: entity work.ab_flasher_AB_TON_BASE10_PRE30
     port map (
       clk => clk,
       rst => rst,
       tick => tick,
       power => t4_0_DN,
-      ACC_before => t4_1_ACC_reg,
-      fraction_before => t4_1_fraction_reg,
-      ACC => t4_1_ACC,
-      DN_last => t4_1_DN_last,
-      fraction => t4_1_fraction
+      DN_last => t4_1_DN_last
     );
+  t4_0: entity work.ab_flasher_AB_TON_BASE10_PRE50
+    port map (
+      clk => clk,
+      rst => rst,
+      tick => tick,
+      power => t4_0_power,
+      DN => t4_0_DN
+    );
+
+  -- rung 2 "T4:1: lit for 0.3 s", ab_flasher.ladder:10
 
   -- rung 3, ab_flasher.ladder:13
   ab_light_next <= t4_0_DN;
@@ -361,17 +345,9 @@ begin
   begin
     if rising_edge(clk) then
       if rst = '1' then
-        t4_0_ACC_reg <= (others => '0');
-        t4_0_fraction_reg <= (others => '0');
-        t4_1_ACC_reg <= (others => '0');
-        t4_1_fraction_reg <= (others => '0');
         ab_light_reg <= '0';
         siemens_light_reg <= '0';
       else
-        t4_0_ACC_reg <= t4_0_ACC;
-        t4_0_fraction_reg <= t4_0_fraction;
-        t4_1_ACC_reg <= t4_1_ACC;
-        t4_1_fraction_reg <= t4_1_fraction;
         ab_light_reg <= ab_light_next;
         siemens_light_reg <= siemens_light_next;
       end if;

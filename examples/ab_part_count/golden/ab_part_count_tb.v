@@ -9,31 +9,32 @@
 // AB_TON: on-delay timer of Allen-Bradley, BASE = 1 tick, SIZE = DINT
 // Fitted to PRE = 500.
 module ab_part_count_test_AB_TON_BASE1_DINT_PRE500 (
-  input  wire        clk,
-  input  wire        rst,
-  input  wire        tick,
-  input  wire        power,
-  input  wire [31:0] ACC_before,
-  output wire [31:0] ACC,
-  output wire        DN
+  input  wire clk,
+  input  wire rst,
+  input  wire tick,
+  input  wire power,
+  output wire DN
 );
+  reg [8:0] ACC = 9'd0;
   reg DN_reg = 1'b0;
   reg was = 1'b0;
 
-  wire unequal = ACC_before != 32'd2147483647;
-  wire [31:0] sum = ACC_before + {31'b0, power & was & ~DN_reg & tick & unequal};
-  wire at_least = $signed(sum) >= 32'sd500;
-  wire DN_next = power & (DN_reg | at_least);
-  wire [31:0] ACC_value = power ? sum : 32'd0;
+  wire condition = power & was & ~DN_reg & tick;
+  wire equal = ACC == 9'd500;
+  wire [8:0] sum = ACC + {8'b0, condition & ~equal};
+  wire equal_2 = ACC == 9'd499;
+  wire DN_next = power & (DN_reg | condition & equal_2 | equal);
+  wire [8:0] ACC_next = power ? sum : 9'd0;
 
-  assign ACC = ACC_value;
   assign DN = DN_next;
 
   always @(posedge clk) begin
     if (rst) begin
+      ACC <= 9'd0;
       DN_reg <= 1'b0;
       was <= 1'b0;
     end else begin
+      ACC <= ACC_next;
       DN_reg <= DN_next;
       was <= power;
     end
@@ -48,18 +49,32 @@ endmodule
 // OV        ____
 // ACC-32760 6778
 module ab_part_count_test_AB_CTU_DINT_PRE1000 (
+  input  wire        clk,
+  input  wire        rst,
   input  wire        power,
-  input  wire [31:0] ACC_before,
-  input  wire        was_up_before,
-  output wire [31:0] ACC,
-  output wire        DN,
-  output wire        was_up
+  input  wire        clear_after,
+  output wire [31:0] ACC_last,
+  output wire        DN
 );
-  wire [31:0] ACC_value = ACC_before + {31'b0, power & ~was_up_before};
+  reg [31:0] ACC = 32'd0;
+  reg was_up = 1'b1;
 
-  assign ACC = ACC_value;
-  assign DN = $signed(ACC_value) >= 32'sd1000;
-  assign was_up = power;
+  wire [31:0] sum = ACC + {31'b0, power & ~was_up};
+  wire [31:0] ACC_next = clear_after ? 32'd0 : sum;
+  wire was_up_next = ~clear_after & power;
+
+  assign ACC_last = ACC;
+  assign DN = $signed(sum) >= 32'sd1000;
+
+  always @(posedge clk) begin
+    if (rst) begin
+      ACC <= 32'd0;
+      was_up <= 1'b1;
+    end else begin
+      ACC <= ACC_next;
+      was_up <= was_up_next;
+    end
+  end
 endmodule
 
 // TON: on-delay timer
@@ -160,24 +175,18 @@ module ab_part_count_test (
   output wire [31:0] part_count_ACC,
   output wire [15:0] db2_CV
 );
-  reg [31:0] delay_tmr_ACC_reg = 32'd0;
-  reg [31:0] part_count_ACC_reg = 32'd0;
-  reg part_count_was_up_reg = 1'b1;
   reg pump_on_for_a_while_reg = 1'b0;
   reg batch_done_reg = 1'b0;
   reg siemens_pump_reg = 1'b0;
   reg siemens_batch_reg = 1'b0;
 
   // rung 1 "Delay_Tmr", ab_part_count.ladder:8
-  wire [31:0] delay_tmr_ACC;
   wire delay_tmr_DN;
   ab_part_count_test_AB_TON_BASE1_DINT_PRE500 delay_tmr (
     .clk(clk),
     .rst(rst),
     .tick(tick),
     .power(pump_run),
-    .ACC_before(delay_tmr_ACC_reg),
-    .ACC(delay_tmr_ACC),
     .DN(delay_tmr_DN)
   );
 
@@ -185,24 +194,21 @@ module ab_part_count_test (
   wire pump_on_for_a_while_next = delay_tmr_DN;
 
   // rung 3 "Part_Count", ab_part_count.ladder:13
-  wire [31:0] part_count_ACC_2;
+  wire [31:0] part_count_ACC_last;
   wire part_count_DN;
-  wire part_count_was_up;
   ab_part_count_test_AB_CTU_DINT_PRE1000 part_count (
+    .clk(clk),
+    .rst(rst),
     .power(part_present),
-    .ACC_before(part_count_ACC_reg),
-    .was_up_before(part_count_was_up_reg),
-    .ACC(part_count_ACC_2),
-    .DN(part_count_DN),
-    .was_up(part_count_was_up)
+    .clear_after(clear),
+    .ACC_last(part_count_ACC_last),
+    .DN(part_count_DN)
   );
 
   // rung 4, ab_part_count.ladder:16
   wire batch_done_next = part_count_DN;
 
   // rung 5, ab_part_count.ladder:18
-  wire [31:0] part_count_ACC_next = clear ? 32'd0 : part_count_ACC_2;
-  wire part_count_was_up_next = ~clear & part_count_was_up;
 
   // rung 6 "DB1", ab_part_count.ladder:20
   wire db1_Q;
@@ -233,22 +239,16 @@ module ab_part_count_test (
   assign batch_done = batch_done_reg;
   assign siemens_pump = siemens_pump_reg;
   assign siemens_batch = siemens_batch_reg;
-  assign part_count_ACC = part_count_ACC_reg;
+  assign part_count_ACC = part_count_ACC_last;
   assign db2_CV = db2_CV_value;
 
   always @(posedge clk) begin
     if (rst) begin
-      delay_tmr_ACC_reg <= 32'd0;
-      part_count_ACC_reg <= 32'd0;
-      part_count_was_up_reg <= 1'b1;
       pump_on_for_a_while_reg <= 1'b0;
       batch_done_reg <= 1'b0;
       siemens_pump_reg <= 1'b0;
       siemens_batch_reg <= 1'b0;
     end else begin
-      delay_tmr_ACC_reg <= delay_tmr_ACC;
-      part_count_ACC_reg <= part_count_ACC_next;
-      part_count_was_up_reg <= part_count_was_up_next;
       pump_on_for_a_while_reg <= pump_on_for_a_while_next;
       batch_done_reg <= batch_done_next;
       siemens_pump_reg <= siemens_pump_next;

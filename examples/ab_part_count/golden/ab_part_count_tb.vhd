@@ -11,41 +11,43 @@ use ieee.numeric_std.all;
 
 entity ab_part_count_test_AB_TON_BASE1_DINT_PRE500 is
   port (
-    clk        : in  std_logic;
-    rst        : in  std_logic;
-    tick       : in  std_logic;
-    power      : in  std_logic;
-    ACC_before : in  unsigned(31 downto 0);
-    ACC        : out unsigned(31 downto 0);
-    DN         : out std_logic
+    clk   : in  std_logic;
+    rst   : in  std_logic;
+    tick  : in  std_logic;
+    power : in  std_logic;
+    DN    : out std_logic
   );
 end entity ab_part_count_test_AB_TON_BASE1_DINT_PRE500;
 
 architecture rtl of ab_part_count_test_AB_TON_BASE1_DINT_PRE500 is
+  signal ACC : unsigned(8 downto 0) := (others => '0');
   signal DN_reg : std_logic := '0';
   signal was : std_logic := '0';
-  signal unequal : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal condition : std_logic;
+  signal equal : std_logic;
+  signal sum : unsigned(8 downto 0);
+  signal equal_2 : std_logic;
   signal DN_next : std_logic;
-  signal ACC_value : unsigned(31 downto 0);
+  signal ACC_next : unsigned(8 downto 0);
 begin
-  unequal <= '1' when ACC_before /= x"7FFFFFFF" else '0';
-  sum <= ACC_before + (to_unsigned(0, 31) & (power and was and not DN_reg and tick and unequal));
-  at_least <= '1' when signed(sum) >= 500 else '0';
-  DN_next <= power and (DN_reg or at_least);
-  ACC_value <= sum when power = '1' else to_unsigned(0, 32);
+  condition <= power and was and not DN_reg and tick;
+  equal <= '1' when ACC = 500 else '0';
+  sum <= ACC + (to_unsigned(0, 8) & (condition and not equal));
+  equal_2 <= '1' when ACC = 499 else '0';
+  DN_next <= power and (DN_reg or (condition and equal_2) or equal);
+  ACC_next <= sum when power = '1' else to_unsigned(0, 9);
 
-  ACC <= ACC_value;
   DN <= DN_next;
 
   process (clk)
   begin
     if rising_edge(clk) then
       if rst = '1' then
+        ACC <= (others => '0');
         DN_reg <= '0';
         was <= '0';
       else
+        ACC <= ACC_next;
         DN_reg <= DN_next;
         was <= power;
       end if;
@@ -66,23 +68,41 @@ use ieee.numeric_std.all;
 
 entity ab_part_count_test_AB_CTU_DINT_PRE1000 is
   port (
-    power         : in  std_logic;
-    ACC_before    : in  unsigned(31 downto 0);
-    was_up_before : in  std_logic;
-    ACC           : out unsigned(31 downto 0);
-    DN            : out std_logic;
-    was_up        : out std_logic
+    clk         : in  std_logic;
+    rst         : in  std_logic;
+    power       : in  std_logic;
+    clear_after : in  std_logic;
+    ACC_last    : out unsigned(31 downto 0);
+    DN          : out std_logic
   );
 end entity ab_part_count_test_AB_CTU_DINT_PRE1000;
 
 architecture rtl of ab_part_count_test_AB_CTU_DINT_PRE1000 is
-  signal ACC_value : unsigned(31 downto 0);
+  signal ACC : unsigned(31 downto 0) := (others => '0');
+  signal was_up : std_logic := '1';
+  signal sum : unsigned(31 downto 0);
+  signal ACC_next : unsigned(31 downto 0);
+  signal was_up_next : std_logic;
 begin
-  ACC_value <= ACC_before + (to_unsigned(0, 31) & (power and not was_up_before));
+  sum <= ACC + (to_unsigned(0, 31) & (power and not was_up));
+  ACC_next <= to_unsigned(0, 32) when clear_after = '1' else sum;
+  was_up_next <= not clear_after and power;
 
-  ACC <= ACC_value;
-  DN <= '1' when signed(ACC_value) >= 1000 else '0';
-  was_up <= power;
+  ACC_last <= ACC;
+  DN <= '1' when signed(sum) >= 1000 else '0';
+
+  process (clk)
+  begin
+    if rising_edge(clk) then
+      if rst = '1' then
+        ACC <= (others => '0');
+        was_up <= '1';
+      else
+        ACC <= ACC_next;
+        was_up <= was_up_next;
+      end if;
+    end if;
+  end process;
 end architecture rtl;
 
 -- TON: on-delay timer
@@ -228,22 +248,15 @@ entity ab_part_count_test is
 end entity ab_part_count_test;
 
 architecture rtl of ab_part_count_test is
-  signal delay_tmr_ACC_reg : unsigned(31 downto 0) := (others => '0');
-  signal part_count_ACC_reg : unsigned(31 downto 0) := (others => '0');
-  signal part_count_was_up_reg : std_logic := '1';
   signal pump_on_for_a_while_reg : std_logic := '0';
   signal batch_done_reg : std_logic := '0';
   signal siemens_pump_reg : std_logic := '0';
   signal siemens_batch_reg : std_logic := '0';
-  signal delay_tmr_ACC : unsigned(31 downto 0);
   signal delay_tmr_DN : std_logic;
   signal pump_on_for_a_while_next : std_logic;
-  signal part_count_ACC_2 : unsigned(31 downto 0);
+  signal part_count_ACC_last : unsigned(31 downto 0);
   signal part_count_DN : std_logic;
-  signal part_count_was_up : std_logic;
   signal batch_done_next : std_logic;
-  signal part_count_ACC_next : unsigned(31 downto 0);
-  signal part_count_was_up_next : std_logic;
   signal db1_Q : std_logic;
   signal siemens_pump_next : std_logic;
   signal db2_Q : std_logic;
@@ -259,8 +272,6 @@ begin
       rst => rst,
       tick => tick,
       power => pump_run,
-      ACC_before => delay_tmr_ACC_reg,
-      ACC => delay_tmr_ACC,
       DN => delay_tmr_DN
     );
 
@@ -270,20 +281,18 @@ begin
   -- rung 3 "Part_Count", ab_part_count.ladder:13
   part_count: entity work.ab_part_count_test_AB_CTU_DINT_PRE1000
     port map (
+      clk => clk,
+      rst => rst,
       power => part_present,
-      ACC_before => part_count_ACC_reg,
-      was_up_before => part_count_was_up_reg,
-      ACC => part_count_ACC_2,
-      DN => part_count_DN,
-      was_up => part_count_was_up
+      clear_after => clear,
+      ACC_last => part_count_ACC_last,
+      DN => part_count_DN
     );
 
   -- rung 4, ab_part_count.ladder:16
   batch_done_next <= part_count_DN;
 
   -- rung 5, ab_part_count.ladder:18
-  part_count_ACC_next <= to_unsigned(0, 32) when clear = '1' else part_count_ACC_2;
-  part_count_was_up_next <= not clear and part_count_was_up;
 
   -- rung 6 "DB1", ab_part_count.ladder:20
   db1: entity work.ab_part_count_test_TON_PT500
@@ -313,24 +322,18 @@ begin
   batch_done <= batch_done_reg;
   siemens_pump <= siemens_pump_reg;
   siemens_batch <= siemens_batch_reg;
-  part_count_ACC <= std_logic_vector(part_count_ACC_reg);
+  part_count_ACC <= std_logic_vector(part_count_ACC_last);
   db2_CV <= std_logic_vector(db2_CV_value);
 
   process (clk)
   begin
     if rising_edge(clk) then
       if rst = '1' then
-        delay_tmr_ACC_reg <= (others => '0');
-        part_count_ACC_reg <= (others => '0');
-        part_count_was_up_reg <= '1';
         pump_on_for_a_while_reg <= '0';
         batch_done_reg <= '0';
         siemens_pump_reg <= '0';
         siemens_batch_reg <= '0';
       else
-        delay_tmr_ACC_reg <= delay_tmr_ACC;
-        part_count_ACC_reg <= part_count_ACC_next;
-        part_count_was_up_reg <= part_count_was_up_next;
         pump_on_for_a_while_reg <= pump_on_for_a_while_next;
         batch_done_reg <= batch_done_next;
         siemens_pump_reg <= siemens_pump_next;

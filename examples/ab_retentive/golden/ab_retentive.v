@@ -19,39 +19,41 @@ module ab_retentive_AB_RTO_BASE100 (
   input  wire        tick,
   input  wire        power,
   input  wire [15:0] PRE,
-  input  wire [15:0] ACC_before,
-  input  wire [31:0] fraction_before,
   input  wire        clear_after,
-  output wire [15:0] ACC,
-  output wire        DN,
-  output wire [31:0] fraction
+  output wire        DN
 );
+  reg [14:0] ACC = 15'd0;
   reg DN_reg = 1'b0;
+  reg [6:0] fraction = 7'd0;
   reg was = 1'b0;
 
   wire less = $signed(PRE) < 16'sd0;
   wire [14:0] choice = less ? 15'd0 : PRE[14:0];
   wire condition = power & was & ~DN_reg & tick;
-  wire equal = fraction_before == 32'd99;
+  wire equal = fraction == 7'd99;
   wire condition_2 = condition & equal;
-  wire [31:0] sum = fraction_before + {31'b0, condition};
-  wire [31:0] fraction_value = condition_2 ? 32'd0 : sum;
-  wire unequal = ACC_before != 16'd32767;
-  wire [15:0] ACC_value = ACC_before + {15'b0, condition_2 & unequal};
-  wire at_least = $signed(ACC_value) >= $signed({1'b0, choice});
+  wire [6:0] sum = fraction + {6'b0, condition};
+  wire [6:0] choice_2 = condition_2 ? 7'd0 : sum;
+  wire unequal = ACC != 15'd32767;
+  wire [14:0] sum_2 = ACC + {14'b0, condition_2 & unequal};
+  wire at_least = sum_2 >= choice;
   wire DN_value = DN_reg | power & at_least;
+  wire [14:0] ACC_next = clear_after ? 15'd0 : sum_2;
   wire DN_next = ~clear_after & DN_value;
+  wire [6:0] fraction_next = clear_after ? 7'd0 : choice_2;
 
-  assign ACC = ACC_value;
   assign DN = DN_value;
-  assign fraction = fraction_value;
 
   always @(posedge clk) begin
     if (rst) begin
+      ACC <= 15'd0;
       DN_reg <= 1'b0;
+      fraction <= 7'd0;
       was <= 1'b0;
     end else begin
+      ACC <= ACC_next;
       DN_reg <= DN_next;
+      fraction <= fraction_next;
       was <= power;
     end
   end
@@ -104,37 +106,27 @@ module ab_retentive (
   output wire siemens_service
 );
   reg [3:0] t4_2_PRE = 4'd5;
-  reg [15:0] t4_2_ACC_reg = 16'd0;
-  reg [31:0] t4_2_fraction_reg = 32'd0;
   reg [9:0] limit = 10'd500;
   reg service_reg = 1'b0;
   reg siemens_service_reg = 1'b0;
 
   // rung 1 "T4:2, five units of a second", ab_retentive.ladder:12
   wire [15:0] t4_2_PRE_2 = {12'b0, t4_2_PRE};
-  wire [15:0] t4_2_ACC;
   wire t4_2_DN;
-  wire [31:0] t4_2_fraction;
   ab_retentive_AB_RTO_BASE100 t4_2 (
     .clk(clk),
     .rst(rst),
     .tick(tick),
     .power(pump),
     .PRE(t4_2_PRE_2),
-    .ACC_before(t4_2_ACC_reg),
-    .fraction_before(t4_2_fraction_reg),
     .clear_after(reset_button),
-    .ACC(t4_2_ACC),
-    .DN(t4_2_DN),
-    .fraction(t4_2_fraction)
+    .DN(t4_2_DN)
   );
 
   // rung 2, ab_retentive.ladder:15
   wire service_next = t4_2_DN;
 
   // rung 3 "RES", ab_retentive.ladder:17
-  wire [15:0] t4_2_ACC_next = reset_button ? 16'd0 : t4_2_ACC;
-  wire [31:0] t4_2_fraction_next = reset_button ? 32'd0 : t4_2_fraction;
 
   // rung 4 "the same with Siemens' timer", ab_retentive.ladder:20
   wire [31:0] t3_PT = {22'b0, limit};
@@ -160,15 +152,11 @@ module ab_retentive (
   always @(posedge clk) begin
     if (rst) begin
       t4_2_PRE <= 4'd5;
-      t4_2_ACC_reg <= 16'd0;
-      t4_2_fraction_reg <= 32'd0;
       limit <= 10'd500;
       service_reg <= 1'b0;
       siemens_service_reg <= 1'b0;
     end else begin
       t4_2_PRE <= t4_2_PRE_next;
-      t4_2_ACC_reg <= t4_2_ACC_next;
-      t4_2_fraction_reg <= t4_2_fraction_next;
       limit <= limit_next;
       service_reg <= service_next;
       siemens_service_reg <= siemens_service_next;

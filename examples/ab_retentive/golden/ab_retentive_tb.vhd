@@ -17,75 +17,81 @@ use ieee.numeric_std.all;
 
 entity ab_retentive_test_AB_RTO_BASE100 is
   port (
-    clk             : in  std_logic;
-    rst             : in  std_logic;
-    tick            : in  std_logic;
-    power           : in  std_logic;
-    PRE             : in  unsigned(15 downto 0);
-    ACC_before      : in  unsigned(15 downto 0);
-    fraction_before : in  unsigned(31 downto 0);
-    clear_after     : in  std_logic;
-    ACC             : out unsigned(15 downto 0);
-    EN_last         : out std_logic;
-    TT_last         : out std_logic;
-    DN              : out std_logic;
-    fraction        : out unsigned(31 downto 0)
+    clk         : in  std_logic;
+    rst         : in  std_logic;
+    tick        : in  std_logic;
+    power       : in  std_logic;
+    PRE         : in  unsigned(15 downto 0);
+    clear_after : in  std_logic;
+    ACC_last    : out unsigned(14 downto 0);
+    EN_last     : out std_logic;
+    TT_last     : out std_logic;
+    DN          : out std_logic
   );
 end entity ab_retentive_test_AB_RTO_BASE100;
 
 architecture rtl of ab_retentive_test_AB_RTO_BASE100 is
+  signal ACC : unsigned(14 downto 0) := (others => '0');
   signal EN : std_logic := '0';
   signal TT : std_logic := '0';
   signal DN_reg : std_logic := '0';
+  signal fraction : unsigned(6 downto 0) := (others => '0');
   signal was : std_logic := '0';
   signal less : std_logic;
   signal choice : unsigned(14 downto 0);
   signal condition : std_logic;
   signal equal : std_logic;
   signal condition_2 : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal fraction_value : unsigned(31 downto 0);
+  signal sum : unsigned(6 downto 0);
+  signal choice_2 : unsigned(6 downto 0);
   signal unequal : std_logic;
-  signal ACC_value : unsigned(15 downto 0);
+  signal sum_2 : unsigned(14 downto 0);
   signal at_least : std_logic;
   signal DN_value : std_logic;
+  signal ACC_next : unsigned(14 downto 0);
   signal EN_next : std_logic;
   signal TT_next : std_logic;
   signal DN_next : std_logic;
+  signal fraction_next : unsigned(6 downto 0);
 begin
   less <= '1' when signed(PRE) < 0 else '0';
   choice <= to_unsigned(0, 15) when less = '1' else PRE(14 downto 0);
   condition <= power and was and not DN_reg and tick;
-  equal <= '1' when fraction_before = 99 else '0';
+  equal <= '1' when fraction = 99 else '0';
   condition_2 <= condition and equal;
-  sum <= fraction_before + (to_unsigned(0, 31) & condition);
-  fraction_value <= to_unsigned(0, 32) when condition_2 = '1' else sum;
-  unequal <= '1' when ACC_before /= 32767 else '0';
-  ACC_value <= ACC_before + (to_unsigned(0, 15) & (condition_2 and unequal));
-  at_least <= '1' when signed(ACC_value) >= signed(resize(choice, 16)) else '0';
+  sum <= fraction + (to_unsigned(0, 6) & condition);
+  choice_2 <= to_unsigned(0, 7) when condition_2 = '1' else sum;
+  unequal <= '1' when ACC /= 32767 else '0';
+  sum_2 <= ACC + (to_unsigned(0, 14) & (condition_2 and unequal));
+  at_least <= '1' when sum_2 >= choice else '0';
   DN_value <= DN_reg or (power and at_least);
+  ACC_next <= to_unsigned(0, 15) when clear_after = '1' else sum_2;
   EN_next <= '0' when clear_after = '1' else power;
   TT_next <= '0' when clear_after = '1' else power and not DN_value;
   DN_next <= '0' when clear_after = '1' else DN_value;
+  fraction_next <= to_unsigned(0, 7) when clear_after = '1' else choice_2;
 
-  ACC <= ACC_value;
+  ACC_last <= ACC;
   EN_last <= EN;
   TT_last <= TT;
   DN <= DN_value;
-  fraction <= fraction_value;
 
   process (clk)
   begin
     if rising_edge(clk) then
       if rst = '1' then
+        ACC <= (others => '0');
         EN <= '0';
         TT <= '0';
         DN_reg <= '0';
+        fraction <= (others => '0');
         was <= '0';
       else
+        ACC <= ACC_next;
         EN <= EN_next;
         TT <= TT_next;
         DN_reg <= DN_next;
+        fraction <= fraction_next;
         was <= power;
       end if;
     end if;
@@ -168,26 +174,22 @@ end entity ab_retentive_test;
 
 architecture rtl of ab_retentive_test is
   signal t4_2_PRE : unsigned(3 downto 0) := to_unsigned(5, 4);
-  signal t4_2_ACC_reg : unsigned(15 downto 0) := (others => '0');
-  signal t4_2_fraction_reg : unsigned(31 downto 0) := (others => '0');
   signal limit : unsigned(9 downto 0) := to_unsigned(500, 10);
   signal service_reg : std_logic := '0';
   signal siemens_service_reg : std_logic := '0';
   signal t4_2_PRE_2 : unsigned(15 downto 0);
-  signal t4_2_ACC_2 : unsigned(15 downto 0);
+  signal t4_2_ACC_last : unsigned(14 downto 0);
   signal t4_2_EN_last : std_logic;
   signal t4_2_TT_last : std_logic;
   signal t4_2_DN : std_logic;
-  signal t4_2_fraction : unsigned(31 downto 0);
   signal service_next : std_logic;
-  signal t4_2_ACC_next : unsigned(15 downto 0);
-  signal t4_2_fraction_next : unsigned(31 downto 0);
   signal t3_PT : unsigned(31 downto 0);
   signal t3_Q : std_logic;
   signal t3_ET_last : unsigned(31 downto 0);
   signal siemens_service_next : std_logic;
   signal t4_2_PRE_next : unsigned(3 downto 0);
   signal limit_next : unsigned(9 downto 0);
+  signal t4_2_ACC_value : unsigned(15 downto 0);
 begin
 
   -- rung 1 "T4:2, five units of a second", ab_retentive.ladder:12
@@ -199,22 +201,17 @@ begin
       tick => tick,
       power => pump,
       PRE => t4_2_PRE_2,
-      ACC_before => t4_2_ACC_reg,
-      fraction_before => t4_2_fraction_reg,
       clear_after => reset_button,
-      ACC => t4_2_ACC_2,
+      ACC_last => t4_2_ACC_last,
       EN_last => t4_2_EN_last,
       TT_last => t4_2_TT_last,
-      DN => t4_2_DN,
-      fraction => t4_2_fraction
+      DN => t4_2_DN
     );
 
   -- rung 2, ab_retentive.ladder:15
   service_next <= t4_2_DN;
 
   -- rung 3 "RES", ab_retentive.ladder:17
-  t4_2_ACC_next <= to_unsigned(0, 16) when reset_button = '1' else t4_2_ACC_2;
-  t4_2_fraction_next <= to_unsigned(0, 32) when reset_button = '1' else t4_2_fraction;
 
   -- rung 4 "the same with Siemens' timer", ab_retentive.ladder:20
   t3_PT <= resize(limit, 32);
@@ -234,10 +231,11 @@ begin
   -- rung 5, ab_retentive.ladder:23
   t4_2_PRE_next <= to_unsigned(8, 4) when longer = '1' else t4_2_PRE;
   limit_next <= to_unsigned(800, 10) when longer = '1' else limit;
+  t4_2_ACC_value <= resize(t4_2_ACC_last, 16);
 
   service <= service_reg;
   siemens_service <= siemens_service_reg;
-  t4_2_ACC <= std_logic_vector(t4_2_ACC_reg);
+  t4_2_ACC <= std_logic_vector(t4_2_ACC_value);
   t3_ET <= std_logic_vector(t3_ET_last);
   t4_2_EN <= t4_2_EN_last;
   t4_2_TT <= t4_2_TT_last;
@@ -247,15 +245,11 @@ begin
     if rising_edge(clk) then
       if rst = '1' then
         t4_2_PRE <= to_unsigned(5, 4);
-        t4_2_ACC_reg <= (others => '0');
-        t4_2_fraction_reg <= (others => '0');
         limit <= to_unsigned(500, 10);
         service_reg <= '0';
         siemens_service_reg <= '0';
       else
         t4_2_PRE <= t4_2_PRE_next;
-        t4_2_ACC_reg <= t4_2_ACC_next;
-        t4_2_fraction_reg <= t4_2_fraction_next;
         limit <= limit_next;
         service_reg <= service_next;
         siemens_service_reg <= siemens_service_next;

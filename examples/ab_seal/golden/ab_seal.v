@@ -8,35 +8,36 @@
 // AB_TON: on-delay timer of Allen-Bradley, BASE = 1 tick, SIZE = DINT
 // Fitted to PRE = 2000.
 module ab_seal_AB_TON_BASE1_DINT_PRE2000 (
-  input  wire        clk,
-  input  wire        rst,
-  input  wire        tick,
-  input  wire        power,
-  input  wire [31:0] ACC_before,
-  output wire [31:0] ACC,
-  output wire        EN,
-  output wire        EN_last,
-  output wire        DN
+  input  wire clk,
+  input  wire rst,
+  input  wire tick,
+  input  wire power,
+  output wire EN,
+  output wire EN_last,
+  output wire DN
 );
+  reg [10:0] ACC = 11'd0;
   reg EN_reg = 1'b0;
   reg DN_reg = 1'b0;
 
-  wire unequal = ACC_before != 32'd2147483647;
-  wire [31:0] sum = ACC_before + {31'b0, power & EN_reg & ~DN_reg & tick & unequal};
-  wire at_least = $signed(sum) >= 32'sd2000;
-  wire DN_next = power & (DN_reg | at_least);
-  wire [31:0] ACC_value = power ? sum : 32'd0;
+  wire condition = power & EN_reg & ~DN_reg & tick;
+  wire equal = ACC == 11'd2000;
+  wire [10:0] sum = ACC + {10'b0, condition & ~equal};
+  wire equal_2 = ACC == 11'd1999;
+  wire DN_next = power & (DN_reg | condition & equal_2 | equal);
+  wire [10:0] ACC_next = power ? sum : 11'd0;
 
-  assign ACC = ACC_value;
   assign EN = power;
   assign EN_last = EN_reg;
   assign DN = DN_next;
 
   always @(posedge clk) begin
     if (rst) begin
+      ACC <= 11'd0;
       EN_reg <= 1'b0;
       DN_reg <= 1'b0;
     end else begin
+      ACC <= ACC_next;
       EN_reg <= power;
       DN_reg <= DN_next;
     end
@@ -95,14 +96,12 @@ module ab_seal (
   output wire siemens_motor,
   output wire siemens_next_step
 );
-  reg [31:0] delay_tmr_ACC_reg = 32'd0;
   reg siemens_motor_reg = 1'b0;
   reg motor_reg = 1'b0;
   reg next_step_reg = 1'b0;
   reg siemens_next_step_reg = 1'b0;
 
   // rung 1 "Delay_Tmr seals itself in", ab_seal.ladder:9
-  wire [31:0] delay_tmr_ACC;
   wire delay_tmr_EN;
   wire delay_tmr_EN_last;
   wire delay_tmr_DN;
@@ -112,8 +111,6 @@ module ab_seal (
     .rst(rst),
     .tick(tick),
     .power(delay_tmr_power),
-    .ACC_before(delay_tmr_ACC_reg),
-    .ACC(delay_tmr_ACC),
     .EN(delay_tmr_EN),
     .EN_last(delay_tmr_EN_last),
     .DN(delay_tmr_DN)
@@ -144,13 +141,11 @@ module ab_seal (
 
   always @(posedge clk) begin
     if (rst) begin
-      delay_tmr_ACC_reg <= 32'd0;
       siemens_motor_reg <= 1'b0;
       motor_reg <= 1'b0;
       next_step_reg <= 1'b0;
       siemens_next_step_reg <= 1'b0;
     end else begin
-      delay_tmr_ACC_reg <= delay_tmr_ACC;
       siemens_motor_reg <= siemens_motor_next;
       motor_reg <= motor_next;
       next_step_reg <= next_step_next;

@@ -8,34 +8,34 @@ use ieee.numeric_std.all;
 
 entity ab_seal_AB_TON_BASE1_DINT_PRE2000 is
   port (
-    clk        : in  std_logic;
-    rst        : in  std_logic;
-    tick       : in  std_logic;
-    power      : in  std_logic;
-    ACC_before : in  unsigned(31 downto 0);
-    ACC        : out unsigned(31 downto 0);
-    EN         : out std_logic;
-    EN_last    : out std_logic;
-    DN         : out std_logic
+    clk     : in  std_logic;
+    rst     : in  std_logic;
+    tick    : in  std_logic;
+    power   : in  std_logic;
+    EN      : out std_logic;
+    EN_last : out std_logic;
+    DN      : out std_logic
   );
 end entity ab_seal_AB_TON_BASE1_DINT_PRE2000;
 
 architecture rtl of ab_seal_AB_TON_BASE1_DINT_PRE2000 is
+  signal ACC : unsigned(10 downto 0) := (others => '0');
   signal EN_reg : std_logic := '0';
   signal DN_reg : std_logic := '0';
-  signal unequal : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal at_least : std_logic;
+  signal condition : std_logic;
+  signal equal : std_logic;
+  signal sum : unsigned(10 downto 0);
+  signal equal_2 : std_logic;
   signal DN_next : std_logic;
-  signal ACC_value : unsigned(31 downto 0);
+  signal ACC_next : unsigned(10 downto 0);
 begin
-  unequal <= '1' when ACC_before /= x"7FFFFFFF" else '0';
-  sum <= ACC_before + (to_unsigned(0, 31) & (power and EN_reg and not DN_reg and tick and unequal));
-  at_least <= '1' when signed(sum) >= 2000 else '0';
-  DN_next <= power and (DN_reg or at_least);
-  ACC_value <= sum when power = '1' else to_unsigned(0, 32);
+  condition <= power and EN_reg and not DN_reg and tick;
+  equal <= '1' when ACC = 2000 else '0';
+  sum <= ACC + (to_unsigned(0, 10) & (condition and not equal));
+  equal_2 <= '1' when ACC = 1999 else '0';
+  DN_next <= power and (DN_reg or (condition and equal_2) or equal);
+  ACC_next <= sum when power = '1' else to_unsigned(0, 11);
 
-  ACC <= ACC_value;
   EN <= power;
   EN_last <= EN_reg;
   DN <= DN_next;
@@ -44,9 +44,11 @@ begin
   begin
     if rising_edge(clk) then
       if rst = '1' then
+        ACC <= (others => '0');
         EN_reg <= '0';
         DN_reg <= '0';
       else
+        ACC <= ACC_next;
         EN_reg <= power;
         DN_reg <= DN_next;
       end if;
@@ -133,12 +135,10 @@ entity ab_seal is
 end entity ab_seal;
 
 architecture rtl of ab_seal is
-  signal delay_tmr_ACC_reg : unsigned(31 downto 0) := (others => '0');
   signal siemens_motor_reg : std_logic := '0';
   signal motor_reg : std_logic := '0';
   signal next_step_reg : std_logic := '0';
   signal siemens_next_step_reg : std_logic := '0';
-  signal delay_tmr_ACC : unsigned(31 downto 0);
   signal delay_tmr_EN : std_logic;
   signal delay_tmr_EN_last : std_logic;
   signal delay_tmr_DN : std_logic;
@@ -158,8 +158,6 @@ begin
       rst => rst,
       tick => tick,
       power => delay_tmr_power,
-      ACC_before => delay_tmr_ACC_reg,
-      ACC => delay_tmr_ACC,
       EN => delay_tmr_EN,
       EN_last => delay_tmr_EN_last,
       DN => delay_tmr_DN
@@ -192,13 +190,11 @@ begin
   begin
     if rising_edge(clk) then
       if rst = '1' then
-        delay_tmr_ACC_reg <= (others => '0');
         siemens_motor_reg <= '0';
         motor_reg <= '0';
         next_step_reg <= '0';
         siemens_next_step_reg <= '0';
       else
-        delay_tmr_ACC_reg <= delay_tmr_ACC;
         siemens_motor_reg <= siemens_motor_next;
         motor_reg <= motor_next;
         next_step_reg <= next_step_next;

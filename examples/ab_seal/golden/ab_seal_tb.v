@@ -13,31 +13,33 @@ module ab_seal_test_AB_TON_BASE1_DINT_PRE2000 (
   input  wire        rst,
   input  wire        tick,
   input  wire        power,
-  input  wire [31:0] ACC_before,
-  output wire [31:0] ACC,
+  output wire [30:0] ACC_last,
   output wire        EN,
   output wire        EN_last,
   output wire        DN
 );
+  reg [30:0] ACC = 31'd0;
   reg EN_reg = 1'b0;
   reg DN_reg = 1'b0;
 
-  wire unequal = ACC_before != 32'd2147483647;
-  wire [31:0] sum = ACC_before + {31'b0, power & EN_reg & ~DN_reg & tick & unequal};
-  wire at_least = $signed(sum) >= 32'sd2000;
+  wire unequal = ACC != 31'd2147483647;
+  wire [30:0] sum = ACC + {30'b0, power & EN_reg & ~DN_reg & tick & unequal};
+  wire at_least = sum >= 31'd2000;
   wire DN_next = power & (DN_reg | at_least);
-  wire [31:0] ACC_value = power ? sum : 32'd0;
+  wire [30:0] ACC_next = power ? sum : 31'd0;
 
-  assign ACC = ACC_value;
+  assign ACC_last = ACC;
   assign EN = power;
   assign EN_last = EN_reg;
   assign DN = DN_next;
 
   always @(posedge clk) begin
     if (rst) begin
+      ACC <= 31'd0;
       EN_reg <= 1'b0;
       DN_reg <= 1'b0;
     end else begin
+      ACC <= ACC_next;
       EN_reg <= power;
       DN_reg <= DN_next;
     end
@@ -97,14 +99,13 @@ module ab_seal_test (
   output wire        siemens_next_step,
   output wire [31:0] delay_tmr_ACC
 );
-  reg [31:0] delay_tmr_ACC_reg = 32'd0;
   reg siemens_motor_reg = 1'b0;
   reg motor_reg = 1'b0;
   reg next_step_reg = 1'b0;
   reg siemens_next_step_reg = 1'b0;
 
   // rung 1 "Delay_Tmr seals itself in", ab_seal.ladder:9
-  wire [31:0] delay_tmr_ACC_2;
+  wire [30:0] delay_tmr_ACC_last;
   wire delay_tmr_EN;
   wire delay_tmr_EN_last;
   wire delay_tmr_DN;
@@ -114,8 +115,7 @@ module ab_seal_test (
     .rst(rst),
     .tick(tick),
     .power(delay_tmr_power),
-    .ACC_before(delay_tmr_ACC_reg),
-    .ACC(delay_tmr_ACC_2),
+    .ACC_last(delay_tmr_ACC_last),
     .EN(delay_tmr_EN),
     .EN_last(delay_tmr_EN_last),
     .DN(delay_tmr_DN)
@@ -137,23 +137,22 @@ module ab_seal_test (
     .power(siemens_motor_next),
     .Q(t1_Q)
   );
+  wire [31:0] delay_tmr_ACC_value = {1'b0, delay_tmr_ACC_last};
   wire siemens_next_step_next = t1_Q;
 
   assign motor = motor_reg;
   assign next_step = next_step_reg;
   assign siemens_motor = siemens_motor_reg;
   assign siemens_next_step = siemens_next_step_reg;
-  assign delay_tmr_ACC = delay_tmr_ACC_reg;
+  assign delay_tmr_ACC = delay_tmr_ACC_value;
 
   always @(posedge clk) begin
     if (rst) begin
-      delay_tmr_ACC_reg <= 32'd0;
       siemens_motor_reg <= 1'b0;
       motor_reg <= 1'b0;
       next_step_reg <= 1'b0;
       siemens_next_step_reg <= 1'b0;
     end else begin
-      delay_tmr_ACC_reg <= delay_tmr_ACC_2;
       siemens_motor_reg <= siemens_motor_next;
       motor_reg <= motor_next;
       next_step_reg <= next_step_next;

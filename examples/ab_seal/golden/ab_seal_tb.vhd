@@ -11,34 +11,34 @@ use ieee.numeric_std.all;
 
 entity ab_seal_test_AB_TON_BASE1_DINT_PRE2000 is
   port (
-    clk        : in  std_logic;
-    rst        : in  std_logic;
-    tick       : in  std_logic;
-    power      : in  std_logic;
-    ACC_before : in  unsigned(31 downto 0);
-    ACC        : out unsigned(31 downto 0);
-    EN         : out std_logic;
-    EN_last    : out std_logic;
-    DN         : out std_logic
+    clk      : in  std_logic;
+    rst      : in  std_logic;
+    tick     : in  std_logic;
+    power    : in  std_logic;
+    ACC_last : out unsigned(30 downto 0);
+    EN       : out std_logic;
+    EN_last  : out std_logic;
+    DN       : out std_logic
   );
 end entity ab_seal_test_AB_TON_BASE1_DINT_PRE2000;
 
 architecture rtl of ab_seal_test_AB_TON_BASE1_DINT_PRE2000 is
+  signal ACC : unsigned(30 downto 0) := (others => '0');
   signal EN_reg : std_logic := '0';
   signal DN_reg : std_logic := '0';
   signal unequal : std_logic;
-  signal sum : unsigned(31 downto 0);
+  signal sum : unsigned(30 downto 0);
   signal at_least : std_logic;
   signal DN_next : std_logic;
-  signal ACC_value : unsigned(31 downto 0);
+  signal ACC_next : unsigned(30 downto 0);
 begin
-  unequal <= '1' when ACC_before /= x"7FFFFFFF" else '0';
-  sum <= ACC_before + (to_unsigned(0, 31) & (power and EN_reg and not DN_reg and tick and unequal));
-  at_least <= '1' when signed(sum) >= 2000 else '0';
+  unequal <= '1' when ACC /= "1111111111111111111111111111111" else '0';
+  sum <= ACC + (to_unsigned(0, 30) & (power and EN_reg and not DN_reg and tick and unequal));
+  at_least <= '1' when sum >= 2000 else '0';
   DN_next <= power and (DN_reg or at_least);
-  ACC_value <= sum when power = '1' else to_unsigned(0, 32);
+  ACC_next <= sum when power = '1' else to_unsigned(0, 31);
 
-  ACC <= ACC_value;
+  ACC_last <= ACC;
   EN <= power;
   EN_last <= EN_reg;
   DN <= DN_next;
@@ -47,9 +47,11 @@ begin
   begin
     if rising_edge(clk) then
       if rst = '1' then
+        ACC <= (others => '0');
         EN_reg <= '0';
         DN_reg <= '0';
       else
+        ACC <= ACC_next;
         EN_reg <= power;
         DN_reg <= DN_next;
       end if;
@@ -137,12 +139,11 @@ entity ab_seal_test is
 end entity ab_seal_test;
 
 architecture rtl of ab_seal_test is
-  signal delay_tmr_ACC_reg : unsigned(31 downto 0) := (others => '0');
   signal siemens_motor_reg : std_logic := '0';
   signal motor_reg : std_logic := '0';
   signal next_step_reg : std_logic := '0';
   signal siemens_next_step_reg : std_logic := '0';
-  signal delay_tmr_ACC_2 : unsigned(31 downto 0);
+  signal delay_tmr_ACC_last : unsigned(30 downto 0);
   signal delay_tmr_EN : std_logic;
   signal delay_tmr_EN_last : std_logic;
   signal delay_tmr_DN : std_logic;
@@ -151,6 +152,7 @@ architecture rtl of ab_seal_test is
   signal next_step_next : std_logic;
   signal siemens_motor_next : std_logic;
   signal t1_Q : std_logic;
+  signal delay_tmr_ACC_value : unsigned(31 downto 0);
   signal siemens_next_step_next : std_logic;
 begin
 
@@ -162,8 +164,7 @@ begin
       rst => rst,
       tick => tick,
       power => delay_tmr_power,
-      ACC_before => delay_tmr_ACC_reg,
-      ACC => delay_tmr_ACC_2,
+      ACC_last => delay_tmr_ACC_last,
       EN => delay_tmr_EN,
       EN_last => delay_tmr_EN_last,
       DN => delay_tmr_DN
@@ -185,25 +186,24 @@ begin
       power => siemens_motor_next,
       Q => t1_Q
     );
+  delay_tmr_ACC_value <= resize(delay_tmr_ACC_last, 32);
   siemens_next_step_next <= t1_Q;
 
   motor <= motor_reg;
   next_step <= next_step_reg;
   siemens_motor <= siemens_motor_reg;
   siemens_next_step <= siemens_next_step_reg;
-  delay_tmr_ACC <= std_logic_vector(delay_tmr_ACC_reg);
+  delay_tmr_ACC <= std_logic_vector(delay_tmr_ACC_value);
 
   process (clk)
   begin
     if rising_edge(clk) then
       if rst = '1' then
-        delay_tmr_ACC_reg <= (others => '0');
         siemens_motor_reg <= '0';
         motor_reg <= '0';
         next_step_reg <= '0';
         siemens_next_step_reg <= '0';
       else
-        delay_tmr_ACC_reg <= delay_tmr_ACC_2;
         siemens_motor_reg <= siemens_motor_next;
         motor_reg <= motor_next;
         next_step_reg <= next_step_next;

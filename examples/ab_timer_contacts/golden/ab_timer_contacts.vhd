@@ -13,66 +13,66 @@ use ieee.numeric_std.all;
 
 entity ab_timer_contacts_AB_TON_BASE10 is
   port (
-    clk             : in  std_logic;
-    rst             : in  std_logic;
-    tick            : in  std_logic;
-    power           : in  std_logic;
-    PRE             : in  unsigned(15 downto 0);
-    ACC_before      : in  unsigned(15 downto 0);
-    fraction_before : in  unsigned(31 downto 0);
-    ACC             : out unsigned(15 downto 0);
-    EN              : out std_logic;
-    TT              : out std_logic;
-    DN              : out std_logic;
-    fraction        : out unsigned(31 downto 0)
+    clk   : in  std_logic;
+    rst   : in  std_logic;
+    tick  : in  std_logic;
+    power : in  std_logic;
+    PRE   : in  unsigned(15 downto 0);
+    EN    : out std_logic;
+    TT    : out std_logic;
+    DN    : out std_logic
   );
 end entity ab_timer_contacts_AB_TON_BASE10;
 
 architecture rtl of ab_timer_contacts_AB_TON_BASE10 is
+  signal ACC : unsigned(14 downto 0) := (others => '0');
   signal DN_reg : std_logic := '0';
+  signal fraction : unsigned(3 downto 0) := (others => '0');
   signal was : std_logic := '0';
   signal less : std_logic;
   signal choice : unsigned(14 downto 0);
   signal condition : std_logic;
   signal equal : std_logic;
   signal condition_2 : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal choice_2 : unsigned(31 downto 0);
+  signal sum : unsigned(3 downto 0);
+  signal choice_2 : unsigned(3 downto 0);
   signal unequal : std_logic;
-  signal sum_2 : unsigned(15 downto 0);
+  signal sum_2 : unsigned(14 downto 0);
   signal at_least : std_logic;
   signal DN_next : std_logic;
-  signal ACC_value : unsigned(15 downto 0);
-  signal fraction_value : unsigned(31 downto 0);
+  signal ACC_next : unsigned(14 downto 0);
+  signal fraction_next : unsigned(3 downto 0);
 begin
   less <= '1' when signed(PRE) < 0 else '0';
   choice <= to_unsigned(0, 15) when less = '1' else PRE(14 downto 0);
   condition <= power and was and not DN_reg and tick;
-  equal <= '1' when fraction_before = 9 else '0';
+  equal <= '1' when fraction = 9 else '0';
   condition_2 <= condition and equal;
-  sum <= fraction_before + (to_unsigned(0, 31) & condition);
-  choice_2 <= to_unsigned(0, 32) when condition_2 = '1' else sum;
-  unequal <= '1' when ACC_before /= 32767 else '0';
-  sum_2 <= ACC_before + (to_unsigned(0, 15) & (condition_2 and unequal));
-  at_least <= '1' when signed(sum_2) >= signed(resize(choice, 16)) else '0';
+  sum <= fraction + (to_unsigned(0, 3) & condition);
+  choice_2 <= to_unsigned(0, 4) when condition_2 = '1' else sum;
+  unequal <= '1' when ACC /= 32767 else '0';
+  sum_2 <= ACC + (to_unsigned(0, 14) & (condition_2 and unequal));
+  at_least <= '1' when sum_2 >= choice else '0';
   DN_next <= power and (DN_reg or at_least);
-  ACC_value <= sum_2 when power = '1' else to_unsigned(0, 16);
-  fraction_value <= choice_2 when power = '1' else to_unsigned(0, 32);
+  ACC_next <= sum_2 when power = '1' else to_unsigned(0, 15);
+  fraction_next <= choice_2 when power = '1' else to_unsigned(0, 4);
 
-  ACC <= ACC_value;
   EN <= power;
   TT <= power and not DN_next;
   DN <= DN_next;
-  fraction <= fraction_value;
 
   process (clk)
   begin
     if rising_edge(clk) then
       if rst = '1' then
+        ACC <= (others => '0');
         DN_reg <= '0';
+        fraction <= (others => '0');
         was <= '0';
       else
+        ACC <= ACC_next;
         DN_reg <= DN_next;
+        fraction <= fraction_next;
         was <= power;
       end if;
     end if;
@@ -151,8 +151,6 @@ end entity ab_timer_contacts;
 
 architecture rtl of ab_timer_contacts is
   signal t4_0_PRE : unsigned(6 downto 0) := to_unsigned(50, 7);
-  signal t4_0_ACC_reg : unsigned(15 downto 0) := (others => '0');
-  signal t4_0_fraction_reg : unsigned(31 downto 0) := (others => '0');
   signal preset : unsigned(12 downto 0) := to_unsigned(500, 13);
   signal enabled_reg : std_logic := '0';
   signal timing_reg : std_logic := '0';
@@ -162,11 +160,9 @@ architecture rtl of ab_timer_contacts is
   signal not_done_reg : std_logic := '0';
   signal siemens_done_reg : std_logic := '0';
   signal t4_0_PRE_2 : unsigned(15 downto 0);
-  signal t4_0_ACC : unsigned(15 downto 0);
   signal t4_0_EN : std_logic;
   signal t4_0_TT : std_logic;
   signal t4_0_DN : std_logic;
-  signal t4_0_fraction : unsigned(31 downto 0);
   signal enabled_next : std_logic;
   signal timing_next : std_logic;
   signal done_next : std_logic;
@@ -189,13 +185,9 @@ begin
       tick => tick,
       power => run,
       PRE => t4_0_PRE_2,
-      ACC_before => t4_0_ACC_reg,
-      fraction_before => t4_0_fraction_reg,
-      ACC => t4_0_ACC,
       EN => t4_0_EN,
       TT => t4_0_TT,
-      DN => t4_0_DN,
-      fraction => t4_0_fraction
+      DN => t4_0_DN
     );
 
   -- rung 2 "EN", ab_timer_contacts.ladder:15
@@ -246,8 +238,6 @@ begin
     if rising_edge(clk) then
       if rst = '1' then
         t4_0_PRE <= to_unsigned(50, 7);
-        t4_0_ACC_reg <= (others => '0');
-        t4_0_fraction_reg <= (others => '0');
         preset <= to_unsigned(500, 13);
         enabled_reg <= '0';
         timing_reg <= '0';
@@ -258,8 +248,6 @@ begin
         siemens_done_reg <= '0';
       else
         t4_0_PRE <= t4_0_PRE_next;
-        t4_0_ACC_reg <= t4_0_ACC;
-        t4_0_fraction_reg <= t4_0_fraction;
         preset <= preset_next;
         enabled_reg <= enabled_next;
         timing_reg <= timing_next;

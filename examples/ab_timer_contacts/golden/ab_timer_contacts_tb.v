@@ -19,43 +19,45 @@ module ab_timer_contacts_test_AB_TON_BASE10 (
   input  wire        tick,
   input  wire        power,
   input  wire [15:0] PRE,
-  input  wire [15:0] ACC_before,
-  input  wire [31:0] fraction_before,
-  output wire [15:0] ACC,
+  output wire [14:0] ACC_last,
   output wire        EN,
   output wire        TT,
-  output wire        DN,
-  output wire [31:0] fraction
+  output wire        DN
 );
+  reg [14:0] ACC = 15'd0;
   reg DN_reg = 1'b0;
+  reg [3:0] fraction = 4'd0;
   reg was = 1'b0;
 
   wire less = $signed(PRE) < 16'sd0;
   wire [14:0] choice = less ? 15'd0 : PRE[14:0];
   wire condition = power & was & ~DN_reg & tick;
-  wire equal = fraction_before == 32'd9;
+  wire equal = fraction == 4'd9;
   wire condition_2 = condition & equal;
-  wire [31:0] sum = fraction_before + {31'b0, condition};
-  wire [31:0] choice_2 = condition_2 ? 32'd0 : sum;
-  wire unequal = ACC_before != 16'd32767;
-  wire [15:0] sum_2 = ACC_before + {15'b0, condition_2 & unequal};
-  wire at_least = $signed(sum_2) >= $signed({1'b0, choice});
+  wire [3:0] sum = fraction + {3'b0, condition};
+  wire [3:0] choice_2 = condition_2 ? 4'd0 : sum;
+  wire unequal = ACC != 15'd32767;
+  wire [14:0] sum_2 = ACC + {14'b0, condition_2 & unequal};
+  wire at_least = sum_2 >= choice;
   wire DN_next = power & (DN_reg | at_least);
-  wire [15:0] ACC_value = power ? sum_2 : 16'd0;
-  wire [31:0] fraction_value = power ? choice_2 : 32'd0;
+  wire [14:0] ACC_next = power ? sum_2 : 15'd0;
+  wire [3:0] fraction_next = power ? choice_2 : 4'd0;
 
-  assign ACC = ACC_value;
+  assign ACC_last = ACC;
   assign EN = power;
   assign TT = power & ~DN_next;
   assign DN = DN_next;
-  assign fraction = fraction_value;
 
   always @(posedge clk) begin
     if (rst) begin
+      ACC <= 15'd0;
       DN_reg <= 1'b0;
+      fraction <= 4'd0;
       was <= 1'b0;
     end else begin
+      ACC <= ACC_next;
       DN_reg <= DN_next;
+      fraction <= fraction_next;
       was <= power;
     end
   end
@@ -111,8 +113,6 @@ module ab_timer_contacts_test (
   output wire [15:0] t4_0_ACC
 );
   reg [6:0] t4_0_PRE = 7'd50;
-  reg [15:0] t4_0_ACC_reg = 16'd0;
-  reg [31:0] t4_0_fraction_reg = 32'd0;
   reg [12:0] preset = 13'd500;
   reg enabled_reg = 1'b0;
   reg timing_reg = 1'b0;
@@ -124,24 +124,20 @@ module ab_timer_contacts_test (
 
   // rung 1 "T4:0, 50 units of 10 ms", ab_timer_contacts.ladder:12
   wire [15:0] t4_0_PRE_2 = {7'b0, {{2{t4_0_PRE[6]}}, t4_0_PRE}};
-  wire [15:0] t4_0_ACC_2;
+  wire [14:0] t4_0_ACC_last;
   wire t4_0_EN;
   wire t4_0_TT;
   wire t4_0_DN;
-  wire [31:0] t4_0_fraction;
   ab_timer_contacts_test_AB_TON_BASE10 t4_0 (
     .clk(clk),
     .rst(rst),
     .tick(tick),
     .power(run),
     .PRE(t4_0_PRE_2),
-    .ACC_before(t4_0_ACC_reg),
-    .fraction_before(t4_0_fraction_reg),
-    .ACC(t4_0_ACC_2),
+    .ACC_last(t4_0_ACC_last),
     .EN(t4_0_EN),
     .TT(t4_0_TT),
-    .DN(t4_0_DN),
-    .fraction(t4_0_fraction)
+    .DN(t4_0_DN)
   );
 
   // rung 2 "EN", ab_timer_contacts.ladder:15
@@ -178,6 +174,7 @@ module ab_timer_contacts_test (
   // rung 9 "from 0.5 s to 5 s", ab_timer_contacts.ladder:33
   wire [6:0] t4_0_PRE_next = slower ? 7'd116 : t4_0_PRE;
   wire [12:0] preset_next = slower ? 13'd5000 : preset;
+  wire [15:0] t4_0_ACC_value = {1'b0, t4_0_ACC_last};
 
   assign enabled = enabled_reg;
   assign timing = timing_reg;
@@ -186,13 +183,11 @@ module ab_timer_contacts_test (
   assign not_timing = not_timing_reg;
   assign not_done = not_done_reg;
   assign siemens_done = siemens_done_reg;
-  assign t4_0_ACC = t4_0_ACC_reg;
+  assign t4_0_ACC = t4_0_ACC_value;
 
   always @(posedge clk) begin
     if (rst) begin
       t4_0_PRE <= 7'd50;
-      t4_0_ACC_reg <= 16'd0;
-      t4_0_fraction_reg <= 32'd0;
       preset <= 13'd500;
       enabled_reg <= 1'b0;
       timing_reg <= 1'b0;
@@ -203,8 +198,6 @@ module ab_timer_contacts_test (
       siemens_done_reg <= 1'b0;
     end else begin
       t4_0_PRE <= t4_0_PRE_next;
-      t4_0_ACC_reg <= t4_0_ACC_2;
-      t4_0_fraction_reg <= t4_0_fraction;
       preset <= preset_next;
       enabled_reg <= enabled_next;
       timing_reg <= timing_next;

@@ -16,66 +16,68 @@ use ieee.numeric_std.all;
 
 entity ab_timer_contacts_test_AB_TON_BASE10 is
   port (
-    clk             : in  std_logic;
-    rst             : in  std_logic;
-    tick            : in  std_logic;
-    power           : in  std_logic;
-    PRE             : in  unsigned(15 downto 0);
-    ACC_before      : in  unsigned(15 downto 0);
-    fraction_before : in  unsigned(31 downto 0);
-    ACC             : out unsigned(15 downto 0);
-    EN              : out std_logic;
-    TT              : out std_logic;
-    DN              : out std_logic;
-    fraction        : out unsigned(31 downto 0)
+    clk      : in  std_logic;
+    rst      : in  std_logic;
+    tick     : in  std_logic;
+    power    : in  std_logic;
+    PRE      : in  unsigned(15 downto 0);
+    ACC_last : out unsigned(14 downto 0);
+    EN       : out std_logic;
+    TT       : out std_logic;
+    DN       : out std_logic
   );
 end entity ab_timer_contacts_test_AB_TON_BASE10;
 
 architecture rtl of ab_timer_contacts_test_AB_TON_BASE10 is
+  signal ACC : unsigned(14 downto 0) := (others => '0');
   signal DN_reg : std_logic := '0';
+  signal fraction : unsigned(3 downto 0) := (others => '0');
   signal was : std_logic := '0';
   signal less : std_logic;
   signal choice : unsigned(14 downto 0);
   signal condition : std_logic;
   signal equal : std_logic;
   signal condition_2 : std_logic;
-  signal sum : unsigned(31 downto 0);
-  signal choice_2 : unsigned(31 downto 0);
+  signal sum : unsigned(3 downto 0);
+  signal choice_2 : unsigned(3 downto 0);
   signal unequal : std_logic;
-  signal sum_2 : unsigned(15 downto 0);
+  signal sum_2 : unsigned(14 downto 0);
   signal at_least : std_logic;
   signal DN_next : std_logic;
-  signal ACC_value : unsigned(15 downto 0);
-  signal fraction_value : unsigned(31 downto 0);
+  signal ACC_next : unsigned(14 downto 0);
+  signal fraction_next : unsigned(3 downto 0);
 begin
   less <= '1' when signed(PRE) < 0 else '0';
   choice <= to_unsigned(0, 15) when less = '1' else PRE(14 downto 0);
   condition <= power and was and not DN_reg and tick;
-  equal <= '1' when fraction_before = 9 else '0';
+  equal <= '1' when fraction = 9 else '0';
   condition_2 <= condition and equal;
-  sum <= fraction_before + (to_unsigned(0, 31) & condition);
-  choice_2 <= to_unsigned(0, 32) when condition_2 = '1' else sum;
-  unequal <= '1' when ACC_before /= 32767 else '0';
-  sum_2 <= ACC_before + (to_unsigned(0, 15) & (condition_2 and unequal));
-  at_least <= '1' when signed(sum_2) >= signed(resize(choice, 16)) else '0';
+  sum <= fraction + (to_unsigned(0, 3) & condition);
+  choice_2 <= to_unsigned(0, 4) when condition_2 = '1' else sum;
+  unequal <= '1' when ACC /= 32767 else '0';
+  sum_2 <= ACC + (to_unsigned(0, 14) & (condition_2 and unequal));
+  at_least <= '1' when sum_2 >= choice else '0';
   DN_next <= power and (DN_reg or at_least);
-  ACC_value <= sum_2 when power = '1' else to_unsigned(0, 16);
-  fraction_value <= choice_2 when power = '1' else to_unsigned(0, 32);
+  ACC_next <= sum_2 when power = '1' else to_unsigned(0, 15);
+  fraction_next <= choice_2 when power = '1' else to_unsigned(0, 4);
 
-  ACC <= ACC_value;
+  ACC_last <= ACC;
   EN <= power;
   TT <= power and not DN_next;
   DN <= DN_next;
-  fraction <= fraction_value;
 
   process (clk)
   begin
     if rising_edge(clk) then
       if rst = '1' then
+        ACC <= (others => '0');
         DN_reg <= '0';
+        fraction <= (others => '0');
         was <= '0';
       else
+        ACC <= ACC_next;
         DN_reg <= DN_next;
+        fraction <= fraction_next;
         was <= power;
       end if;
     end if;
@@ -155,8 +157,6 @@ end entity ab_timer_contacts_test;
 
 architecture rtl of ab_timer_contacts_test is
   signal t4_0_PRE : unsigned(6 downto 0) := to_unsigned(50, 7);
-  signal t4_0_ACC_reg : unsigned(15 downto 0) := (others => '0');
-  signal t4_0_fraction_reg : unsigned(31 downto 0) := (others => '0');
   signal preset : unsigned(12 downto 0) := to_unsigned(500, 13);
   signal enabled_reg : std_logic := '0';
   signal timing_reg : std_logic := '0';
@@ -166,11 +166,10 @@ architecture rtl of ab_timer_contacts_test is
   signal not_done_reg : std_logic := '0';
   signal siemens_done_reg : std_logic := '0';
   signal t4_0_PRE_2 : unsigned(15 downto 0);
-  signal t4_0_ACC_2 : unsigned(15 downto 0);
+  signal t4_0_ACC_last : unsigned(14 downto 0);
   signal t4_0_EN : std_logic;
   signal t4_0_TT : std_logic;
   signal t4_0_DN : std_logic;
-  signal t4_0_fraction : unsigned(31 downto 0);
   signal enabled_next : std_logic;
   signal timing_next : std_logic;
   signal done_next : std_logic;
@@ -182,6 +181,7 @@ architecture rtl of ab_timer_contacts_test is
   signal siemens_done_next : std_logic;
   signal t4_0_PRE_next : unsigned(6 downto 0);
   signal preset_next : unsigned(12 downto 0);
+  signal t4_0_ACC_value : unsigned(15 downto 0);
 begin
 
   -- rung 1 "T4:0, 50 units of 10 ms", ab_timer_contacts.ladder:12
@@ -193,13 +193,10 @@ begin
       tick => tick,
       power => run,
       PRE => t4_0_PRE_2,
-      ACC_before => t4_0_ACC_reg,
-      fraction_before => t4_0_fraction_reg,
-      ACC => t4_0_ACC_2,
+      ACC_last => t4_0_ACC_last,
       EN => t4_0_EN,
       TT => t4_0_TT,
-      DN => t4_0_DN,
-      fraction => t4_0_fraction
+      DN => t4_0_DN
     );
 
   -- rung 2 "EN", ab_timer_contacts.ladder:15
@@ -236,6 +233,7 @@ begin
   -- rung 9 "from 0.5 s to 5 s", ab_timer_contacts.ladder:33
   t4_0_PRE_next <= to_unsigned(116, 7) when slower = '1' else t4_0_PRE;
   preset_next <= to_unsigned(5000, 13) when slower = '1' else preset;
+  t4_0_ACC_value <= resize(t4_0_ACC_last, 16);
 
   enabled <= enabled_reg;
   timing <= timing_reg;
@@ -244,15 +242,13 @@ begin
   not_timing <= not_timing_reg;
   not_done <= not_done_reg;
   siemens_done <= siemens_done_reg;
-  t4_0_ACC <= std_logic_vector(t4_0_ACC_reg);
+  t4_0_ACC <= std_logic_vector(t4_0_ACC_value);
 
   process (clk)
   begin
     if rising_edge(clk) then
       if rst = '1' then
         t4_0_PRE <= to_unsigned(50, 7);
-        t4_0_ACC_reg <= (others => '0');
-        t4_0_fraction_reg <= (others => '0');
         preset <= to_unsigned(500, 13);
         enabled_reg <= '0';
         timing_reg <= '0';
@@ -263,8 +259,6 @@ begin
         siemens_done_reg <= '0';
       else
         t4_0_PRE <= t4_0_PRE_next;
-        t4_0_ACC_reg <= t4_0_ACC_2;
-        t4_0_fraction_reg <= t4_0_fraction;
         preset <= preset_next;
         enabled_reg <= enabled_next;
         timing_reg <= timing_next;
