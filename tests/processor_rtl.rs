@@ -48,37 +48,103 @@ fn verilator_has_nothing_to_say() {
     }
 }
 
+/// How a bench gets at the memories.
+#[derive(Clone, Copy, PartialEq)]
+enum Access {
+    /// They read files at the start, and the bench looks into them.
+    Direct,
+    /// All of it goes over the host bus.
+    Bus,
+}
+
+/// The statements that load an image over the bus and reset the processor to it.
+fn load(image: &Image) -> String {
+    let mut text = String::new();
+    for (at, word) in image.rom.code.iter().enumerate() {
+        writeln!(text, "    load({at}, {word});").unwrap();
+    }
+    text.push_str("    at_reset = 1;\n");
+    for (register, word) in &image.rom.registers {
+        writeln!(text, "    host({register}, {word});").unwrap();
+    }
+    for bit in &image.rom.image {
+        writeln!(text, "    io({bit}, 1);").unwrap();
+    }
+    text + "    at_reset = 0; rst = 1;\n    @(negedge clk) rst = 0;\n    while (!idle) @(negedge clk);\n"
+}
+
+/// The statements that print the bits and the registers that are compared.
+fn show(image: &Image, access: Access) -> String {
+    let (bits, registers) = lp::held(image.rom.sizes);
+    if access == Access::Bus {
+        let bits = bits.iter().map(|bit| format!("      look({bit});\n"));
+        let registers = registers.iter().map(|register| format!("      read({register});\n"));
+        return bits.chain(registers).collect();
+    }
+    let (last, first) = (image.rom.sizes.image_bits.next_power_of_two(), bits.len());
+    format!(
+        "      for (i = {last} - {first}; i < {last}; i = i + 1) $write(\"%b\", dut.image.bits.words[i]);
+      for (i = 0; i < {}; i = i + 1)
+        $write(\" %0h\", dut.functions.register_array.registers.words[i]);
+",
+        registers.len()
+    )
+}
+
 /// Drives the processor and prints outputs, image and some registers after each scan, with the
 /// clocks that it took.
-fn bench(image: &Image, rows: &[Row]) -> String {
+fn bench(image: &Image, rows: &[Row], access: Access) -> String {
     let rom = &image.rom;
     let bits = |count: u16| count.max(1) - 1;
     let [tenth, second] = lp::ticks(image);
     let sizes: String =
         rom.sizes.named().iter().map(|(name, size)| format!(".{name}({size}), ")).collect();
-    let (held, registers) = lp::held(rom.sizes);
-    let (last, first) = (rom.sizes.image_bits.next_power_of_two(), held.len());
+    let (files, load) = match access {
+        Access::Direct => (
+            ",\n    .CODE_FILE(\"test.hex\"), .REGISTER_FILE(\"test_regs.hex\"), \
+             .IMAGE_FILE(\"test_image.hex\")",
+            String::new(),
+        ),
+        Access::Bus => ("", load(image)),
+    };
+    let show = show(image, access);
     let mut text = format!(
         "module bench;
-  reg clk = 0, rst = 1, tick = 0, halt = 1, RM_rw = 0;
+  reg clk = 0, rst = 1, tick = 0, halt = 1, RM_rw = 0, code_write = 0, at_reset = 0;
+  reg io_write = 0, io_in = 0;
+  reg [9:0] waddr = 0, io_addr = 0;
   reg [10:0] RM_addr = 0;
-  reg [15:0] RM_in = 0;
+  reg [15:0] RM_in = 0, code_in = 0;
+  wire [15:0] RM_out;
+  wire io_out;
   reg [{}:0] inputs = 0;
   wire [{}:0] outputs;
   wire idle, scan_done;
   integer clocks = 0, i;
   ladder_processor #(
-    .INPUTS({}), .OUTPUTS({}), {sizes}.TICKS_PER_TENTH({tenth}), .TICKS_PER_SECOND({second}),
-    .CODE_FILE(\"test.hex\"), .REGISTER_FILE(\"test_regs.hex\"), .IMAGE_FILE(\"test_image.hex\")
+    .INPUTS({}), .OUTPUTS({}), {sizes}.TICKS_PER_TENTH({tenth}),
+    .TICKS_PER_SECOND({second}){files}
   ) dut (
     .clk(clk), .rst(rst), .tick(tick), .inputs(inputs), .outputs(outputs), .halt(halt),
-    .idle(idle), .scan_done(scan_done), .code_write(1'b0), .waddr(10'd0), .code_in(16'd0),
-    .at_reset(1'b0), .io_addr(10'd0), .io_write(1'b0), .io_in(1'b0), .io_out(),
-    .RM_addr(RM_addr), .RM_rw(RM_rw), .RM_in(RM_in), .RM_out()
+    .idle(idle), .scan_done(scan_done), .code_write(code_write), .waddr(waddr),
+    .code_in(code_in), .at_reset(at_reset), .io_addr(io_addr), .io_write(io_write), .io_in(io_in),
+    .io_out(io_out), .RM_addr(RM_addr), .RM_rw(RM_rw), .RM_in(RM_in), .RM_out(RM_out)
   );
   always begin #1 clk = 1; clocks = clocks + 1; #1 clk = 0; end
   task host(input [10:0] register, input [15:0] word);
     begin RM_addr = register; RM_in = word; RM_rw = 1; @(negedge clk) RM_rw = 0; end
+  endtask
+  task load(input [9:0] address, input [15:0] word);
+    begin waddr = address; code_in = word; code_write = 1; @(negedge clk) code_write = 0; end
+  endtask
+  task io(input [9:0] address, input bit);
+    begin io_addr = address; io_in = bit; io_write = 1; @(negedge clk) io_write = 0; end
+  endtask
+  task look(input [9:0] address);
+    begin io_addr = address; @(negedge clk) $write(\"%b\", io_out); end
+  endtask
+  task read(input [10:0] register);
+    begin RM_addr = register; @(negedge clk) $write(\" %0h\", RM_out); end
   endtask
   task scan(input [{}:0] now, input ticks);
     begin
@@ -87,22 +153,19 @@ fn bench(image: &Image, rows: &[Row]) -> String {
       while (!scan_done) @(negedge clk);
       @(negedge clk);
       $write(\"%0d %b \", clocks, outputs);
-      for (i = {last} - {first}; i < {last}; i = i + 1) $write(\"%b\", dut.image.bits.words[i]);
-      for (i = 0; i < {}; i = i + 1) $write(\" %0h\", dut.functions.register_array.registers.words[i]);
-      $write(\"\\n\");
+{show}      $write(\"\\n\");
     end
   endtask
   initial begin
     @(negedge clk); @(negedge clk) rst = 0;
     while (!idle) @(negedge clk);
-    $display(\"reset %b\", outputs);
+{load}    $display(\"reset %b\", outputs);
 ",
         bits(rom.pins.inputs),
         bits(rom.pins.outputs),
         rom.pins.inputs,
         rom.pins.outputs,
         bits(rom.pins.inputs),
-        registers.len(),
     );
     for row in rows {
         for (register, word) in &row.written {
@@ -115,10 +178,21 @@ fn bench(image: &Image, rows: &[Row]) -> String {
 }
 
 fn compare(name: &str, program: &Program, image: &Image, scans: usize, random: Rng) {
+    compare_by(Access::Direct, name, program, image, scans, random);
+}
+
+fn compare_by(
+    access: Access,
+    name: &str,
+    program: &Program,
+    image: &Image,
+    scans: usize,
+    random: Rng,
+) {
     let rows = lp::rows(program, image, scans, random);
     let folder = tempfile::tempdir().unwrap();
     lp::write_image(folder.path(), image);
-    fs::write(folder.path().join("bench.v"), bench(image, &rows)).unwrap();
+    fs::write(folder.path().join("bench.v"), bench(image, &rows, access)).unwrap();
     let files = modules();
     let arguments = [&["-g2005", "-o", "bench", "bench.v"][..], &names(&files)].concat();
     run(folder.path(), "iverilog", &arguments);
@@ -146,6 +220,22 @@ fn examples_that_the_processor_can_do_run_in_lock_step() {
     }
 }
 
+/// A processor that comes up empty, with `halt` on, is loaded as docs/processor.md says. Behind a
+/// scan the host sees what the emulator holds.
+#[test]
+fn a_host_loads_programs_and_reads_what_they_do() {
+    if !require_tool("iverilog") {
+        return;
+    }
+    let (program, image) = lp::smallest(DEEP, 4).unwrap();
+    compare_by(Access::Bus, "deep", &program, &image, 60, Rng::with_seed(1));
+    let loaded = lp::examples();
+    let loaded = loaded.into_iter().filter(|(name, ..)| name.starts_with("paper_"));
+    for (name, program, image, random) in loaded {
+        compare_by(Access::Bus, &name, &program, &image, 10, random);
+    }
+}
+
 #[test]
 fn the_longest_shifts_run_in_lock_step() {
     if !require_tool("iverilog") {
@@ -161,12 +251,13 @@ fn the_longest_shifts_run_in_lock_step() {
 
 /// Deep lists with words, timers, counters and drums around them.
 const DEEP: &str = "ladder deep tick 100ms input a, b, c, d output y, z at 260
-    var kept : WORD := 5 var words : WORD[3] := [1, 2, 3]
+    var lit := 1 var kept : WORD := 5 var words : WORD[3] := [1, 2, 3]
     rung [ a [ b [ c [ d a | !b ] | !c b ] | d ] | [ [ [ !d b | c ] !a | d ] c | b ] d ] (y)
     rung a t:TT(PV := 3, EN := b, MODE := ON) (z)
     rung b n:UC(PV := 2, EN := !c) (kept.3)
     rung c s:DRUM(PV := 4, EN := d, TAPS := [1, 2]) kept.2 (y)
-    rung d l:SHL(REG := words, DATA := a) (S z)";
+    rung d l:SHL(REG := words, DATA := a) (S z)
+    rung lit b c (R lit)";
 
 #[test]
 fn machines_of_other_sizes_run_in_lock_step() {

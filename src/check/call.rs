@@ -20,9 +20,16 @@ impl<'s> Checker<'s> {
         let declared = &self.program.instances[instance];
         let mut shape = declared.shape.clone();
         if declared.has_partner {
-            let block = blocks::named(call.kind.text).expect("it was found for the declaration");
+            // A kind of which there is no block, and a third kind, were reported where the
+            // instances were declared.
+            let first = declared.shape.block;
+            let kinds = [Some(first.name), first.partner];
+            let block = blocks::named(call.kind.text).ok_or(Reported)?;
+            if !kinds.contains(&Some(block.name)) {
+                return Err(Reported);
+            }
             shape = Arc::new(Shape::new(block, shape.chosen.clone()));
-            if block.name != declared.shape.block.name {
+            if block.name != first.name {
                 return self.second_call(call, instance, shape);
             }
         }

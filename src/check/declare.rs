@@ -203,6 +203,10 @@ impl<'s> Checker<'s> {
             }
             None => {
                 self.report(unknown_block(call.kind));
+                // Whether it is called twice matters once its kind is known.
+                if self.names.get(call.name.text).is_some() {
+                    return;
+                }
                 Entity::Broken
             }
         };
