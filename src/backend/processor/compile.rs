@@ -3,10 +3,11 @@
 
 use std::collections::HashSet;
 
-use super::layout::{Layout, full, no_room_help};
+use super::layout::Layout;
 use super::listing::{Symbols, listing};
 use super::power::Power;
 use super::rom::Rom;
+use super::shortage::{NoRoom, full};
 use super::sizes::Sizes;
 use super::tree::Tree;
 use super::usage;
@@ -87,7 +88,7 @@ pub fn compile_for(
     observed: &[VariableId],
     sizes: Sizes,
 ) -> Result<Image, Vec<Diagnostic>> {
-    let layout = Layout::new(program, sizes).map_err(|diagnostic| vec![*diagnostic])?;
+    let layout = Layout::new(program, sizes)?;
     let mut named = usage::named(program);
     named.extend(observed);
     let mut compiler = Compiler {
@@ -150,16 +151,15 @@ impl Compiler<'_> {
             self.operation(Operation::Coil, coil);
         }
         self.word(Word::END);
+        self.findings.extend(self.layout.shortages.findings(self.rom.sizes));
         let has = self.rom.sizes.code_words;
         if self.rom.code.len() > has && self.findings.is_empty() {
             let rung = self.rungs[has].or_else(|| self.program.rungs.len().checked_sub(1));
             let span = rung.map_or(Span::default(), |rung| self.program.rungs[rung].span);
             let need = self.rom.code.len();
             let message = format!("the program needs {need} words, the ladder processor has {has}");
-            let found = full(span, message)
-                .label("from here on there is no room")
-                .help(no_room_help(self.rom.sizes));
-            self.findings.push(found);
+            let found = full(span, message, self.rom.sizes);
+            self.findings.push(found.label("from here on there is no room"));
         }
         assert!(!self.failed || !self.findings.is_empty(), "a rung is given up with a word on why");
         if !self.findings.is_empty() {
@@ -194,9 +194,9 @@ impl Compiler<'_> {
         Reported
     }
 
-    /// Reports a limit that is reached.
-    pub(super) fn limit<T>(&mut self, result: Result<T, Box<Diagnostic>>) -> Done<T> {
-        result.map_err(|finding| self.report(*finding))
+    /// Gives up what the processor has no room for, which is reported in the end.
+    pub(super) fn limit<T>(&self, result: Result<T, NoRoom>) -> Done<T> {
+        result.map_err(|NoRoom| Reported)
     }
 
     /// Reports something that the processor cannot do.

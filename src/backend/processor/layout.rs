@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::rom::{Pins, region};
+use super::shortage::{NoRoom, Shortages};
 use super::sizes::{FIRST_OF_HALF, Sizes};
 use super::word::{
     Address, DRUMS, FIRST_COUNT, FIRST_DRUM, FIRST_FLAG, FIRST_FREE, FIRST_OUTPUT, ONE, REGISTERS,
@@ -32,6 +33,8 @@ pub struct Layout {
     next_timer: u16,
     next_drum: u16,
     next_shift: u16,
+    /// What there is too little of.
+    pub(super) shortages: Shortages,
 }
 
 /// A class of units.
@@ -50,7 +53,7 @@ impl Layout {
     ///
     /// # Errors
     /// More of them than there are addresses.
-    pub fn new(program: &Program, sizes: Sizes) -> Result<Layout, Box<Diagnostic>> {
+    pub fn new(program: &Program, sizes: Sizes) -> Result<Layout, Vec<Diagnostic>> {
         let mut layout = Layout {
             sizes,
             bits: vec![None; program.variables.len()],
@@ -62,17 +65,19 @@ impl Layout {
             next_timer: 0,
             next_drum: 0,
             next_shift: 0,
+            shortages: Shortages::default(),
         };
+        let mut findings = Vec::new();
         let bits = || program.variables.iter().filter(|(_, variable)| variable.ty == Type::Bool);
         for (id, variable) in bits() {
             if let Some(address) = variable.address {
                 if !sizes.has_bit(address) {
                     let message =
                         format!("the ladder processor has no {} {address}", region(address));
-                    return Err(full(variable.span, message)
+                    let finding = Diagnostic::new(code::PROCESSOR_FULL, variable.span, message)
                         .label(format!("its image has {} bits", sizes.image_bits))
-                        .help("leave `at` out, or build a processor with a larger IMAGE_BITS")
-                        .into());
+                        .help("leave `at` out, or build a processor with a larger IMAGE_BITS");
+                    findings.push(finding);
                 }
                 layout.take(id, address, &variable.name);
             }
@@ -85,10 +90,12 @@ impl Layout {
                 // A block that the processor has gets its flags where it is called.
                 Role::Member(..) => continue,
             };
-            let address = layout.free_bits(first, 1, variable.span)?;
-            layout.take(id, address, &variable.name);
+            if let Ok(address) = layout.free_bits(first, 1, variable.span) {
+                layout.take(id, address, &variable.name);
+            }
         }
-        Ok(layout)
+        findings.extend(layout.shortages.findings(sizes));
+        if findings.is_empty() { Ok(layout) } else { Err(findings) }
     }
 
     fn take(&mut self, variable: VariableId, address: Address, name: &str) {
@@ -97,12 +104,7 @@ impl Layout {
     }
 
     /// The first of so many free addresses in a row of the region that begins at `first`.
-    fn free_bits(
-        &self,
-        first: Address,
-        count: u16,
-        span: Span,
-    ) -> Result<Address, Box<Diagnostic>> {
+    fn free_bits(&mut self, first: Address, count: u16, span: Span) -> Result<Address, NoRoom> {
         let end = match first {
             0 => self.sizes.pins(),
             FIRST_OUTPUT => FIRST_OUTPUT + self.sizes.pins(),
@@ -111,13 +113,14 @@ impl Layout {
         let is_free = |address: &Address| {
             (*address..address + count).all(|bit| !self.bit_names.contains_key(&bit))
         };
-        (first..end).take_while(|address| address + count <= end).find(is_free).ok_or_else(|| {
-            let what = region(first);
-            full(span, format!("the ladder processor has {} {what}s", end - first))
-                .label(format!("no {what} is left for this"))
-                .help(no_room_help(self.sizes))
-                .into()
-        })
+        let found = (first..end).take_while(|address| address + count <= end).find(is_free);
+        let what = match first {
+            0 => "inputs",
+            FIRST_OUTPUT => "outputs",
+            _ => "flags",
+        };
+        let has = usize::from(end - first);
+        found.ok_or_else(|| self.shortages.ask(what, has, count.into(), span))
     }
 
     /// The bit of a variable.
@@ -135,7 +138,7 @@ impl Layout {
         &mut self,
         variables: &[(VariableId, String)],
         span: Span,
-    ) -> Result<Address, Box<Diagnostic>> {
+    ) -> Result<Address, NoRoom> {
         let first = self.free_bits(FIRST_FLAG, variables.len() as u16, span)?;
         for (address, (variable, name)) in (first..).zip(variables) {
             self.take(*variable, address, name);
@@ -144,24 +147,24 @@ impl Layout {
     }
 
     /// A flag for a value between two circuits.
-    pub fn flag(&mut self, name: String, span: Span) -> Result<Address, Box<Diagnostic>> {
+    pub fn flag(&mut self, name: String, span: Span) -> Result<Address, NoRoom> {
         let address = self.free_bits(FIRST_FLAG, 1, span)?;
         self.bit_names.insert(address, name);
         Ok(address)
     }
 
     /// Registers in a row for presets.
-    pub fn presets(&mut self, names: &[String], span: Span) -> Result<u16, Box<Diagnostic>> {
+    pub fn presets(&mut self, names: &[String], span: Span) -> Result<u16, NoRoom> {
         let first = self.next_preset;
-        self.next_preset += names.len() as u16;
         let most = self.sizes.quarter_of_registers();
-        if usize::from(self.next_preset) > most {
-            let message = format!("the ladder processor has {most} registers for presets");
-            return Err(full(span, message)
-                .label("no register is left for this")
-                .help(no_room_help(self.sizes))
-                .into());
+        if usize::from(first) + names.len() > most {
+            // What is left is too little for these, and what they lack of it counts.
+            let left = most - usize::from(first);
+            self.next_preset = most as u16;
+            let lacks = names.len() - left;
+            return Err(self.shortages.ask("registers for presets", most, lacks, span));
         }
+        self.next_preset += names.len() as u16;
         for (register, name) in (first..).zip(names) {
             self.register_names.insert(register, name.clone());
         }
@@ -169,7 +172,7 @@ impl Layout {
     }
 
     /// Registers for words that the program changes.
-    pub fn words(&mut self, names: &[String], span: Span) -> Result<u16, Box<Diagnostic>> {
+    pub fn words(&mut self, names: &[String], span: Span) -> Result<u16, NoRoom> {
         let many = names.len();
         let holds = |first: &u16| {
             let last = u16::try_from(usize::from(*first) + many - 1);
@@ -179,14 +182,14 @@ impl Layout {
         let Some(first) =
             [self.next_word, self.next_word.max(FIRST_OF_HALF)].into_iter().find(holds)
         else {
-            let count = (FIRST_FREE..REGISTERS as u16)
-                .filter(|register| self.sizes.has_register(*register))
-                .count();
-            let message = format!("the ladder processor has {count} registers for words");
-            return Err(full(span, message)
-                .label("no register is left for this")
-                .help(no_room_help(self.sizes))
-                .into());
+            let held = |from: u16| {
+                (from..REGISTERS as u16).filter(|one| self.sizes.has_register(*one)).count()
+            };
+            // What is left is too little for these, and what they lack of it counts.
+            let (count, left) = (held(FIRST_FREE), held(self.next_word));
+            self.next_word = REGISTERS as u16;
+            let lacks = many.saturating_sub(left).max(1);
+            return Err(self.shortages.ask("registers for words", count, lacks, span));
         };
         self.next_word = first + many as u16;
         for (register, name) in (first..).zip(names) {
@@ -201,7 +204,7 @@ impl Layout {
     }
 
     /// A unit of its own for a function.
-    pub fn unit(&mut self, class: UnitClass, span: Span) -> Result<u16, Box<Diagnostic>> {
+    pub fn unit(&mut self, class: UnitClass, span: Span) -> Result<u16, NoRoom> {
         let sizes = self.sizes;
         // Each has a register for its count.
         let counts = |first: u16, most: u16| {
@@ -215,10 +218,7 @@ impl Layout {
             UnitClass::Shift => (&mut self.next_shift, SHIFTS, "shift functions"),
         };
         if *next == count {
-            return Err(full(span, format!("the ladder processor has {count} {what}"))
-                .label("one more")
-                .help(no_room_help(sizes))
-                .into());
+            return Err(self.shortages.ask(what, count.into(), 1, span));
         }
         *next += 1;
         Ok(*next - 1)
@@ -230,19 +230,5 @@ impl Layout {
             self.bit_names.range(from..to).next_back().map_or(0, |(&last, _)| last + 1 - from)
         };
         Pins { inputs: end(0, FIRST_OUTPUT), outputs: end(FIRST_OUTPUT, FIRST_FLAG) }
-    }
-}
-
-/// A finding about a limit of the processor.
-pub(super) fn full(span: Span, message: String) -> Diagnostic {
-    Diagnostic::new(code::PROCESSOR_FULL, span, message)
-}
-
-/// What to do where a processor of these sizes is full.
-pub(super) fn no_room_help(sizes: Sizes) -> &'static str {
-    if sizes == Sizes::default() {
-        "build it with --emit verilog or vhdl, or make two programs of it"
-    } else {
-        "give the processor more with --processor, or build it with --emit verilog or vhdl"
     }
 }

@@ -22,6 +22,7 @@ mod reset;
 mod rom;
 mod rung;
 mod runner;
+mod shortage;
 mod sizes;
 mod tree;
 mod usage;
