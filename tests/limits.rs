@@ -226,3 +226,17 @@ fn a_stimulus_is_as_wide_as_can_be() {
         assert_eq!((read.len(), read.row(0).drives.len()), (1, columns.len()));
     }
 }
+
+#[test]
+fn a_time_may_say_that_it_is_one_wherever_times_stand() {
+    for prefix in ["T#", "t#", "TIME#", "time#", "Time#"] {
+        let text = format!(
+            "ladder demo tick {prefix}10ms input a output y const LONG := {prefix}1h \
+             var t : TIME := {prefix}1m30s \
+             rung a d:TON(PT := {prefix}5s) b:AB_TON(PRE := 5, BASE := {prefix}100ms) (y) \
+             rung {{ t > {prefix}2s + LONG }} {{ t := t - {prefix}1s }} \
+             test \"times\" wait {prefix}50ms expect !y"
+        );
+        assert_eq!(findings(text), [""; 0], "{prefix}");
+    }
+}

@@ -134,8 +134,17 @@ mod tests {
         for text in ["0", "10", "1_000", "16#FF", "2#10_10", "8#17"] {
             assert_eq!(kind(text), Ok(LiteralKind::Integer), "{text}");
         }
-        for text in ["500ms", "1.3s", "2m30s", "T#1.5s", "T#2m_30s", "1_000us", "TIME#1d2h", "3ns"]
-        {
+        for text in [
+            "500ms",
+            "1.3s",
+            "2m30s",
+            "T#1.5s",
+            "T#2m_30s",
+            "1_000us",
+            "TIME#1d2h",
+            "Time#5s",
+            "3ns",
+        ] {
             assert_eq!(kind(text), Ok(LiteralKind::Time), "{text}");
         }
         for text in
