@@ -48,6 +48,7 @@ impl<'s> Checker<'s> {
             return self.number_of_type(expr, want);
         }
         let found = match &expr.kind {
+            _ if is_operation(expr) && self.is_exact(expr) => self.time_of_literals(expr)?,
             ast::ExprKind::Literal(literal) => self.literal(*literal, false, want)?,
             ast::ExprKind::Reference(reference) => self.read(reference, want)?,
             ast::ExprKind::Unary(operator, operand) => {
@@ -194,12 +195,16 @@ impl<'s> Checker<'s> {
         let op = arithmetic(operator).expect("every other operator is arithmetic");
         let divisor = b.span;
         let (a, b) = match op {
-            BinaryOp::Multiply | BinaryOp::Divide => self.factors(op, a, b, want)?,
+            BinaryOp::Multiply | BinaryOp::Divide | BinaryOp::Modulo => {
+                self.factors(operator, a, b, want)?
+            }
             _ => self.operands(a, b, want)?,
         };
         match (op, a.ty, b.ty) {
             (BinaryOp::Multiply | BinaryOp::Divide, Type::Time, Type::Time)
-            | (BinaryOp::Modulo, Type::Time, _) => return Err(self.not_by_a_time(span)),
+            | (BinaryOp::Modulo, Type::Time, _) => {
+                return Err(self.no_such_operation_on_times(operator, a.ty, b.ty, span));
+            }
             _ => self.numbers_only(a.ty, span)?,
         }
         if matches!(op, BinaryOp::Divide | BinaryOp::Modulo) && b.constant() == Some(0) {
@@ -208,10 +213,10 @@ impl<'s> Checker<'s> {
         Ok(combine(op, a, b))
     }
 
-    /// The operands of `*` or `/`: of one type, or a `TIME` and an integer, in this order.
+    /// The operands of `*`, `/` or `MOD`: of one type, or a `TIME` and an integer, in this order.
     fn factors(
         &mut self,
-        op: BinaryOp,
+        operator: BinaryOperator,
         a: &ast::Expr<'s>,
         b: &ast::Expr<'s>,
         want: Option<Type>,
@@ -234,11 +239,17 @@ impl<'s> Checker<'s> {
         match (left?, right?) {
             (time, factor) if time.ty == Type::Time && factor.ty.is_integer() => Ok((time, factor)),
             (factor, time)
-                if op == BinaryOp::Multiply && time.ty == Type::Time && factor.ty.is_integer() =>
+                if operator == BinaryOperator::Multiply
+                    && time.ty == Type::Time
+                    && factor.ty.is_integer() =>
             {
                 Ok((time, factor))
             }
             (left, right) if left.ty == right.ty => Ok((left, right)),
+            (number, time) if number.ty.is_integer() && time.ty == Type::Time => {
+                let span = a.span.to(b.span);
+                Err(self.no_such_operation_on_times(operator, number.ty, time.ty, span))
+            }
             (left, right) => Err(self.mismatch(b.span, right.ty, left.ty)),
         }
     }
@@ -291,11 +302,34 @@ impl<'s> Checker<'s> {
         Err(self.report(diagnostic))
     }
 
-    fn not_by_a_time(&mut self, span: Span) -> Reported {
-        let message = "a TIME is multiplied or divided by an integer only";
-        let diagnostic = Diagnostic::new(code::TYPE_MISMATCH, span, message)
-            .label("of two values of type TIME")
-            .help("TO_DINT gives the number of ticks, for instance: TO_DINT(t) / TO_DINT(u)");
+    /// `*`, `/` or `MOD` with a time where it takes none.
+    pub(super) fn no_such_operation_on_times(
+        &mut self,
+        operator: BinaryOperator,
+        left: Type,
+        right: Type,
+        span: Span,
+    ) -> Reported {
+        let in_ticks = "TO_DINT gives the number of ticks, for instance:";
+        let (message, help) = match (operator, left) {
+            (BinaryOperator::Modulo, _) => {
+                ("a TIME has no MOD", format!("{in_ticks} TO_TIME(TO_DINT(t) MOD TO_DINT(u))"))
+            }
+            (BinaryOperator::Divide, left) if left != Type::Time => (
+                "a TIME is divided by an integer, and an integer by no TIME",
+                format!("{in_ticks} n / TO_DINT(t)"),
+            ),
+            _ => (
+                "a TIME is multiplied or divided by an integer only",
+                format!("{in_ticks} TO_DINT(t) / TO_DINT(u)"),
+            ),
+        };
+        let label = match left == right {
+            true => format!("of two values of type {left}"),
+            false => format!("of {left} and {right}"),
+        };
+        let diagnostic =
+            Diagnostic::new(code::TYPE_MISMATCH, span, message).label(label).help(help);
         self.report(diagnostic)
     }
 

@@ -2,6 +2,7 @@
 
 mod call;
 mod declare;
+mod exact;
 mod expression;
 mod function;
 mod literal;

@@ -31,6 +31,8 @@ pub(super) struct Constant {
     /// Left out, it is a name for a number that takes the type it needs.
     pub ty: Option<Type>,
     pub value: i64,
+    /// Its declaration says the type. Else it is worked out exactly with others, a `TIME` too.
+    pub is_typed: bool,
     /// Its number among the constants of the program.
     pub index: usize,
 }
