@@ -118,6 +118,13 @@ fn a_preset_may_be_assigned_or_a_variable() {
 fn a_counter_is_reset_by_its_parameter_or_a_coil() {
     assert_eq!(demo("output z\nrung a c:CTU(PV := 3) ( z )"), "W0402 c");
     assert_eq!(demo("output z\nrung a c:CTU(PV := 3) ( z )\nrung b (R c)"), "");
+    // Allen-Bradley's count may be put back by an assignment as well.
+    for call in ["c:AB_CTU(PRE := 3)", "c:AB_CTD(PRE := 3)", "c:AB_RTO(PRE := 3)"] {
+        let counter = format!("output z\nrung a {call}\nrung c.DN ( z )\n");
+        assert_eq!(demo(&counter), "W0402 c", "{call}");
+        assert_eq!(demo(&format!("{counter}rung b {{ c.PRE := 5 }}")), "W0402 c", "{call}");
+        assert_eq!(demo(&format!("{counter}rung b {{ c.ACC := 0 }}")), "", "{call}");
+    }
     // Said, so meant.
     assert_eq!(demo("output z\nrung a c:CTU(R := FALSE, PV := 3) ( z )"), "");
 }
