@@ -143,6 +143,36 @@ fn a_time_may_be_compared_with_the_values_at_which_it_rests() {
 }
 
 #[test]
+fn units_of_time_may_be_compared_as_times_may() {
+    for call in [
+        "t:AB_TON(PRE := 5) ( z )",
+        "t:AB_TON(PRE := 5, SIZE := DINT) ( z )",
+        "t:AB_TOF(PRE := 5) ( z )",
+        "t:AB_RTO(PRE := 5) ( z )\nrung b (R t)",
+        "t:T1_0(PV := 5) ( z )\nrung b (R t)",
+        "t:T0_1(PV := 5) ( z )\nrung b (R t)",
+        "t:T_01(PV := 5) ( z )\nrung b (R t)",
+        "t:TS(PV := 5) ( z )\nrung b (R t)",
+        "t:TT(MODE := OFF, PV := 5) ( z )",
+    ] {
+        let preset = if call.contains("PRE") { "PRE" } else { "PV" };
+        let compare = |condition: &str| {
+            demo(&format!("output z, x\nrung a {call}\nrung {{ {condition} }} ( x )"))
+        };
+        for fine in ["t.ACC = 0", &format!("t.ACC = t.{preset}"), "5 <> t.ACC", "t.ACC >= 3"] {
+            assert_eq!(compare(fine), "", "{call}: {fine}");
+        }
+        assert_eq!(compare("t.ACC = 3"), "W0403 { t.ACC = 3 }", "{call}");
+    }
+    // Counts stay until the next event.
+    for call in ["t:CTU(R := b, PV := 5)", "t:UC(PV := 5)", "t:AB_CTU(PRE := 5)"] {
+        let count = if call.contains(":CTU") { "CV" } else { "ACC" };
+        let text = format!("output z, x\nrung a {call} ( z )\nrung b (R t)\n");
+        assert_eq!(demo(&format!("{text}rung {{ t.{count} = 3 }} ( x )")), "", "{call}");
+    }
+}
+
+#[test]
 fn size_is_counted_in_elements_and_depth_in_lists() {
     let rung = |contacts: usize| demo(&format!("output z\nrung {}( z )", "a ".repeat(contacts)));
     assert_eq!(rung(63), "");
