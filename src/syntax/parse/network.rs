@@ -3,7 +3,7 @@
 use super::grammar::{Pair, Rule};
 use super::items::next;
 use super::{Lower, Parsed};
-use crate::diagnostic::{Diagnostic, code};
+use crate::diagnostic::{Diagnostic, code, shortened};
 use crate::source::Span;
 use crate::syntax::ast::{
     Argument, ArgumentValue, Call, CoilAction, Connection, Edge, Element, ElementKind, ExprKind,
@@ -46,7 +46,11 @@ impl<'s> Lower<'s> {
             }
             Rule::coil => self.coil(pair)?,
             Rule::edge => {
-                let edge = if pair.as_str().starts_with('r') { Edge::Rise } else { Edge::Fall };
+                let text = pair.as_str();
+                if text.starts_with(['!', '/']) {
+                    return self.negated_edge(span);
+                }
+                let edge = if text.starts_with('r') { Edge::Rise } else { Edge::Fall };
                 let (operand, _) = self.reference(next(&mut pair.into_inner()))?;
                 ElementKind::Edge { edge, operand }
             }
@@ -84,6 +88,17 @@ impl<'s> Lower<'s> {
         let diagnostic = Diagnostic::new(code::SYNTAX, span, message)
             .label("`!` stands before a contact or `first_scan` only")
             .help("the element `not` inverts the power that reaches it");
+        self.fault(diagnostic)
+    }
+
+    fn negated_edge<T>(&self, span: Span) -> Parsed<T> {
+        let text = self.text[span.range()].trim_start_matches(['!', '/']).trim_ascii();
+        let diagnostic = Diagnostic::new(code::SYNTAX, span, "an edge contact cannot be negated")
+            .label("`!` stands before a contact or `first_scan` only")
+            .help(format!(
+                "write `{} not`, which inverts the power that the edge lets pass",
+                shortened(text)
+            ));
         self.fault(diagnostic)
     }
 
