@@ -6,6 +6,7 @@ mod exact;
 mod expression;
 mod function;
 mod literal;
+mod lookalike;
 mod names;
 mod net;
 mod network;

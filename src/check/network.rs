@@ -74,7 +74,13 @@ impl<'s> Checker<'s> {
             self.report(diagnostic);
         }
         let mut elements = Vec::with_capacity(series.elements.len());
-        for element in &series.elements {
+        let mut rest = series.elements.as_slice();
+        while let [element, after @ ..] = rest {
+            rest = after;
+            if self.is_misspelt_edge(element, after) || self.is_element_of_nothing(element, after) {
+                rest = &after[1..];
+                continue;
+            }
             elements.extend(self.element(element, site).ok());
         }
         elements
