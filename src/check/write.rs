@@ -6,6 +6,7 @@ use crate::diagnostic::{Diagnostic, code};
 use crate::model::{self, CoilAction, Element, Place, Role, Variable};
 use crate::source::Span;
 use crate::syntax::ast::{self, Edge, Reference};
+use crate::syntax::written_name;
 use crate::types::Type;
 
 impl<'s> Checker<'s> {
@@ -54,10 +55,7 @@ impl<'s> Checker<'s> {
         let message = format!("the {} `{}` cannot be reset", block.title, instance.name);
         let diagnostic = Diagnostic::new(code::MISPLACED, span, message)
             .label("a reset of an off-delay timer")
-            .help(format!(
-                "to end the delay, assign the preset: {{ {0}.ACC := {0}.PRE }}",
-                instance.name
-            ));
+            .help(how_to_put_back(instance));
         Err(self.report(diagnostic))
     }
 
@@ -84,11 +82,11 @@ impl<'s> Checker<'s> {
                 "declare it with var or output".to_owned(),
             ),
             Resolved::Instance(instance) => {
-                let block = self.program.instances[instance].shape.block;
+                let instance = &self.program.instances[instance];
                 (
-                    format!("`{name}` is a block ({}), not a variable", block.name),
+                    format!("`{name}` is a block ({}), not a variable", instance.shape.block.name),
                     "a block instance",
-                    format!("to reset it write (R {name})"),
+                    how_to_put_back(instance),
                 )
             }
             Resolved::Array(array) => return Err(self.array_is_no_value(array, target)),
@@ -131,7 +129,7 @@ impl<'s> Checker<'s> {
             return Some((
                 format!("`{name}` is an output of the block {}", instance.shape.block.name),
                 "written by the block alone",
-                format!("to reset it write (R {})", instance.name),
+                how_to_put_back(instance),
             ));
         }
         instance.given[port].then(|| {
@@ -141,5 +139,14 @@ impl<'s> Checker<'s> {
                 format!("leave {} out of the call", member.name),
             )
         })
+    }
+}
+
+/// How a program puts a block back to its start.
+fn how_to_put_back(instance: &model::Instance) -> String {
+    let name = written_name(&instance.name);
+    match instance.shape.block.can_reset {
+        true => format!("to reset it write (R {name})"),
+        false => format!("to end the delay, assign the preset: {{ {name}.ACC := {name}.PRE }}"),
     }
 }
