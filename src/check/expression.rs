@@ -108,7 +108,11 @@ impl<'s> Checker<'s> {
                 let message = format!("{ty} holds {low} to {high}");
                 let diagnostic = Diagnostic::new(code::OUT_OF_RANGE, literal.span, message)
                     .label(format!("does not fit {ty}"))
-                    .help("use a value in that range or a wider type");
+                    .help(match ty {
+                        Type::Bool => "use 0 or 1; for a number declare a type such as INT",
+                        _ if ty.width() == 32 => "use a value in that range",
+                        _ => "use a value in that range or a wider type",
+                    });
                 Err(self.report(diagnostic))
             }
         }
@@ -131,7 +135,11 @@ impl<'s> Checker<'s> {
                 let message = format!("{value} does not fit {ty}");
                 let diagnostic = Diagnostic::new(code::OUT_OF_RANGE, reference.span(), message)
                     .label("this constant")
-                    .help("use a wider type");
+                    .help(match ty {
+                        Type::Bool => "a BOOL is 0 or 1; for a number declare a type such as INT",
+                        _ if ty.width() == 32 => "use a smaller number",
+                        _ => "use a wider type",
+                    });
                 Err(self.report(diagnostic))
             }
             Resolved::Instance(instance) => Err(self.instance_is_no_value(instance, reference)),
