@@ -67,22 +67,6 @@ impl<'s> Checker<'s> {
         }
     }
 
-    pub(super) fn mismatch(&mut self, span: Span, found: Type, want: Type) -> Reported {
-        let message = format!("{want} is needed here, this is {found}");
-        let diagnostic = Diagnostic::new(code::TYPE_MISMATCH, span, message)
-            .label(format!("a value of type {found}"));
-        let help = match (want, found) {
-            (Type::Bool, _) => "compare it, for instance: { x > 0 }",
-            (Type::Time, _) => {
-                "write a time with its unit, such as 500ms, or a variable of type TIME"
-            }
-            (_, Type::Bool) => "a BOOL is no number: let it be a contact before the braces",
-            (_, Type::Time) => "a time is no number: declare the other one as TIME",
-            _ => "declare both with one type",
-        };
-        self.report(diagnostic.help(help))
-    }
-
     fn literal(
         &mut self,
         literal: ast::Literal<'s>,
@@ -258,7 +242,7 @@ impl<'s> Checker<'s> {
                 let span = a.span.to(b.span);
                 Err(self.no_such_operation_on_times(operator, number.ty, time.ty, span))
             }
-            (left, right) => Err(self.mismatch(b.span, right.ty, left.ty)),
+            (left, right) => Err(self.two_types((a.span, left.ty), (b.span, right.ty))),
         }
     }
 
@@ -275,8 +259,14 @@ impl<'s> Checker<'s> {
             return Ok((left?, right?));
         }
         let left = self.expression(a, want);
-        let right = self.expression(b, left.as_ref().ok().map(|left| left.ty));
-        Ok((left?, right?))
+        let of_left = left.as_ref().ok().map(|left| left.ty);
+        let adapts = self.adapts(b);
+        let right = self.expression(b, of_left.filter(|_| adapts));
+        let (left, right) = (left?, right?);
+        match left.ty == right.ty {
+            true => Ok((left, right)),
+            false => Err(self.two_types((a.span, left.ty), (b.span, right.ty))),
+        }
     }
 
     /// True for an integer literal, a constant without a type, and an operation on such alone.

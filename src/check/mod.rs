@@ -7,6 +7,7 @@ mod expression;
 mod function;
 mod literal;
 mod lookalike;
+mod mismatch;
 mod names;
 mod net;
 mod network;
