@@ -27,6 +27,10 @@ impl<'s> Lower<'s> {
             Err(mistake) => mistake,
         };
         let message = format!("`{}` is no number and no time", shortened(text));
+        if let Some(based) = based_elsewhere(text) {
+            let diagnostic = Diagnostic::new(code::SYNTAX, span, message).label(BASES);
+            return self.fault(diagnostic.help(format!("write {}", shortened(&based))));
+        }
         let diagnostic = Diagnostic::new(code::SYNTAX, span, message).label(mistake);
         self.fault(diagnostic.help(match mistake {
             BASES => "write 2#1010, 8#17, 16#FF, or a decimal number without `#`",
@@ -58,6 +62,19 @@ impl<'s> Lower<'s> {
         };
         self.fault(Diagnostic::new(code::SYNTAX, literal.span, message).label(label).help(help))
     }
+}
+
+/// How a number with a base is written that is written as in C or as in an assembler.
+fn based_elsewhere(text: &str) -> Option<String> {
+    let lower = text.to_ascii_lowercase();
+    let prefixed = [("0x", 16), ("0b", 2), ("0o", 8)]
+        .into_iter()
+        .find_map(|(prefix, base)| Some((lower.strip_prefix(prefix)?.len(), base)));
+    let (digits, base) = match prefixed {
+        Some((length, base)) => (&text[text.len() - length..], base),
+        None => (text.strip_suffix(['h', 'H'])?, 16),
+    };
+    are_digits(digits, base).then(|| format!("{base}#{digits}"))
 }
 
 fn kind(text: &str) -> Result<LiteralKind, &'static str> {
@@ -151,6 +168,23 @@ mod tests {
             ["1__0", "10_", "3#1", "2#12", "16#", "1.5", "5x", "5S", "30s2m", "1.5m3s", "T#"]
         {
             assert!(kind(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn bases_of_other_languages_are_known() {
+        for (text, here) in [
+            ("0x1F", "16#1F"),
+            ("0XfF_00", "16#fF_00"),
+            ("0b101", "2#101"),
+            ("0o17", "8#17"),
+            ("1Fh", "16#1F"),
+        ] {
+            assert!(kind(text).is_err(), "{text}");
+            assert_eq!(based_elsewhere(text).as_deref(), Some(here), "{text}");
+        }
+        for text in ["0x", "0b2", "1G", "5x", "xh"] {
+            assert_eq!(based_elsewhere(text), None, "{text}");
         }
     }
 }
