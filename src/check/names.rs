@@ -140,6 +140,9 @@ impl<'s> Names<'s> {
                  back-ticks: var `{0}`",
                 name.text
             ),
+            (None, text) if text.eq_ignore_ascii_case("and") || text.eq_ignore_ascii_case("or") => {
+                "contacts in series are written `a b`, in parallel `[ a | b ]`".to_owned()
+            }
             (None, text) => {
                 format!("declare it, for instance: var {}{length}", shortened(&written_name(text)))
             }

@@ -4,6 +4,7 @@ mod expression;
 mod grammar;
 mod items;
 mod literal;
+mod meant;
 mod network;
 #[cfg(test)]
 mod shape;
@@ -142,7 +143,9 @@ impl<'s> Context<'_, 's> {
             Err(mut fault) => {
                 let at = fault.diagnostic.primary.span.start as usize - lower.base;
                 let is_blank = |text: &str| text.trim_ascii().is_empty();
-                fault.at_start = is_blank(&body[..at]);
+                // The place of an address is where it begins, not where it goes wrong.
+                let is_address = fault.diagnostic.primary.text == meant::AN_ADDRESS;
+                fault.at_start = is_blank(&body[..at]) && !is_address;
                 fault.at_end = is_blank(&body[at..]);
                 if fault.at_end {
                     self.name_what_follows(chunk, &mut fault.diagnostic);
