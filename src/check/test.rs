@@ -65,10 +65,11 @@ impl<'s> Checker<'s> {
                         );
                     return Err(self.report(diagnostic));
                 }
+                let bases = self.bases_in(network);
                 let network = self.series(network, Site::Expectation);
                 let index = self.expectations;
                 self.expectations += 1;
-                Statement::Expect(Expect { network, index, span: statement.span, spans })
+                Statement::Expect(Expect { network, index, span: statement.span, spans, bases })
             }
         }])
     }
