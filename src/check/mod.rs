@@ -1,5 +1,6 @@
 //! From the tree of what was written to a program in which nothing is wrong any more.
 
+mod amount;
 mod base;
 mod call;
 mod declare;

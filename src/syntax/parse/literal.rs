@@ -1,9 +1,9 @@
 //! Numbers, times and quantities: what they are by their looks.
 
-use super::grammar::Pair;
+use super::grammar::{Pair, Rule};
 use super::{Lower, Parsed};
 use crate::diagnostic::{Diagnostic, code, shortened};
-use crate::syntax::ast::{Literal, LiteralKind, Text};
+use crate::syntax::ast::{Amount, Literal, LiteralKind, Text};
 
 const BASES: &str = "the base of a number is 2, 8 or 16";
 const UNDERSCORE: &str = "one `_` stands between two digits";
@@ -42,6 +42,24 @@ impl<'s> Lower<'s> {
     /// A whole number.
     pub(super) fn integer(&self, pair: &Pair<'_>, what: &str) -> Parsed<Literal<'s>> {
         self.literal_of(pair, LiteralKind::Integer, what)
+    }
+
+    /// A whole number, or a constant that stands for one.
+    pub(super) fn count(&self, pair: &Pair<'_>, what: &str) -> Parsed<Amount<'s>> {
+        self.amount(pair, LiteralKind::Integer, what)
+    }
+
+    /// A literal of one kind, or a constant that stands for one.
+    pub(super) fn amount(
+        &self,
+        pair: &Pair<'_>,
+        kind: LiteralKind,
+        what: &str,
+    ) -> Parsed<Amount<'s>> {
+        match pair.as_rule() {
+            Rule::name => self.name(pair).map(Amount::Constant),
+            _ => self.literal_of(pair, kind, what).map(Amount::Literal),
+        }
     }
 
     /// A literal of one kind.
