@@ -58,7 +58,7 @@ impl<'s> Checker<'s> {
     /// `I0.3` reads as a bit, and is an address where nothing is named `I0`.
     fn unknown_reference(&mut self, reference: &Reference<'s>, found: Diagnostic) -> Reported {
         let text = self.source.slice(reference.span());
-        let is_letter = |c: char| c.is_ascii_alphabetic();
+        let is_letter = |c: char| c.is_ascii_uppercase();
         let letters = text.len() - text.trim_start_matches(is_letter).len();
         let name = reference.name.text;
         let is_area = (1..=2).contains(&letters)

@@ -64,6 +64,7 @@ impl Lower<'_> {
             return None;
         }
         let span = Span::new(self.base + number_start, self.base + start + unit.len());
+        let number = shortened(number);
         let message = format!("a unit stands right behind its number, found `{number} {unit}`");
         let diagnostic = Diagnostic::new(code::SYNTAX, span, message).label("in two parts");
         Some(diagnostic.help(format!("write {number}{unit}")))
