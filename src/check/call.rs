@@ -49,7 +49,7 @@ impl<'s> Checker<'s> {
             }
             let Ok(port) = self.parameter(&shape, argument.name) else { continue };
             let value = match shape.ports[port].role.range() {
-                Some(range) => self.preset(&argument.value, &shape, port, range),
+                Some(_) => self.preset(&argument.value, &shape, port),
                 None => self.circuit(&argument.value),
             };
             if let Ok(value) = value {
@@ -137,13 +137,12 @@ impl<'s> Checker<'s> {
         value: &ast::ArgumentValue<'s>,
         shape: &Shape,
         port: usize,
-        (low, high): (i64, i64),
     ) -> Checked<ArgumentValue> {
-        let port = &shape.ports[port];
         let expr = match value {
             ast::ArgumentValue::Expr(expr) => expr,
             ast::ArgumentValue::Network(Series { span, .. })
             | ast::ArgumentValue::List(_, span) => {
+                let port = &shape.ports[port];
                 let message = format!("{} takes a value of type {}", port.name, port.ty);
                 let diagnostic = Diagnostic::new(code::BAD_ARGUMENT, *span, message)
                     .label("a network or list")
@@ -151,12 +150,27 @@ impl<'s> Checker<'s> {
                 return Err(self.report(diagnostic));
             }
         };
+        self.value_of_parameter(expr, shape, port).map(ArgumentValue::Value)
+    }
+
+    /// What a call gives to a number or time of its block, or a rung assigns to it: a constant has
+    /// to lie in the range of that parameter.
+    pub(super) fn value_of_parameter(
+        &mut self,
+        expr: &ast::Expr<'s>,
+        shape: &Shape,
+        port: usize,
+    ) -> Checked<Expr> {
+        let port = &shape.ports[port];
         if port.ty != Type::Time
             && let ast::ExprKind::Literal(literal) = expr.kind
             && literal.kind == LiteralKind::Time
         {
             return Err(self.time_for_a_count(shape, port.name, literal));
         }
+        let Some((low, high)) = port.role.range() else {
+            return self.expression(expr, Some(port.ty));
+        };
         // A number of which no type says how large it may be: the range of the parameter does.
         let checked = match port.ty != Type::Time && self.takes_any_type(expr) {
             true => Err(self.number(expr)?),
@@ -172,7 +186,7 @@ impl<'s> Checker<'s> {
             return Err(self.preset_out_of_range(expr.span, constant, shape, port, (low, high)));
         }
         let number = |value| Expr { ty: port.ty, kind: ExprKind::Constant(value as i64) };
-        Ok(ArgumentValue::Value(checked.unwrap_or_else(number)))
+        Ok(checked.unwrap_or_else(number))
     }
 
     fn preset_out_of_range(

@@ -1,7 +1,10 @@
 //! Coils and assignments: what a rung writes, and what it may not.
 
+use std::sync::Arc;
+
 use super::reference::Resolved;
 use super::{Checked, Checker};
+use crate::blocks::Shape;
 use crate::diagnostic::{Diagnostic, code};
 use crate::model::{self, CoilAction, Element, Place, Role, Variable};
 use crate::source::Span;
@@ -67,9 +70,23 @@ impl<'s> Checker<'s> {
     ) -> Checked<Element> {
         let resolved = self.resolve(target);
         let place = resolved.and_then(|resolved| self.writable(resolved, target));
-        let want = place.as_ref().ok().map(|place| place.ty(&self.program));
-        let value = self.expression(value, want);
+        let parameter = place.as_ref().ok().and_then(|place| self.parameter_at(place));
+        let value = match parameter {
+            Some((shape, port)) => self.value_of_parameter(value, &shape, port),
+            None => {
+                let want = place.as_ref().ok().map(|place| place.ty(&self.program));
+                self.expression(value, want)
+            }
+        };
         Ok(Element::Assign { target: place?, value: value?, span })
+    }
+
+    /// The number or time of a block that a place is.
+    fn parameter_at(&self, place: &Place) -> Option<(Arc<Shape>, usize)> {
+        let variable = &self.program.variables[place.as_variable()?];
+        let Role::Member(instance, port) = variable.role else { return None };
+        let shape = &self.program.instances[instance].shape;
+        shape.ports[port].role.range().map(|_| (shape.clone(), port))
     }
 
     /// The place, if a rung may write it.
