@@ -23,7 +23,14 @@ const FREQUENCY_UNITS: [(&str, i128); 4] =
 /// The length in nanoseconds that a time literal says; `None` if it is no time or too long for
 /// any use, or if a part of it is no whole nanosecond.
 pub fn time_ns(text: &str) -> Option<i128> {
-    let text = text.strip_prefix("T#").or_else(|| text.strip_prefix("t#")).unwrap_or(text);
+    let text = match text.split_once('#') {
+        Some((prefix, time))
+            if ["T", "TIME"].iter().any(|one| one.eq_ignore_ascii_case(prefix)) =>
+        {
+            time
+        }
+        _ => text,
+    };
     let mut rest = text.replace('_', "");
     let mut total: i128 = 0;
     while !rest.is_empty() {
@@ -102,6 +109,12 @@ mod tests {
         assert_eq!(time_ns("2m30s"), Some(150_000_000_000));
         assert_eq!(time_ns("T#2m_30s"), Some(150_000_000_000));
         assert_eq!(time_ns("1d2h"), Some(93_600_000_000_000));
+        for text in ["t#5s", "TIME#5s", "time#5s", "Time#5s"] {
+            assert_eq!(time_ns(text), Some(5_000_000_000), "{text}");
+        }
+        assert_eq!(time_ns("TIME#"), None);
+        assert_eq!(time_ns("TIMES#5s"), None);
+        assert_eq!(time_ns("T#T#5s"), None);
         assert_eq!(time_ns("0.5ns"), None);
         assert_eq!(time_ns("5"), None);
         assert_eq!(time_ns("T#"), None);

@@ -226,3 +226,49 @@ fn a_stimulus_is_as_wide_as_can_be() {
         assert_eq!((read.len(), read.row(0).drives.len()), (1, columns.len()));
     }
 }
+
+#[test]
+fn a_time_may_say_that_it_is_one_wherever_times_stand() {
+    for prefix in ["T#", "t#", "TIME#", "time#", "Time#"] {
+        let text = format!(
+            "ladder demo tick {prefix}10ms input a output y const LONG := {prefix}1h \
+             var t : TIME := {prefix}1m30s \
+             rung a d:TON(PT := {prefix}5s) b:AB_TON(PRE := 5, BASE := {prefix}100ms) (y) \
+             rung {{ t > {prefix}2s + LONG }} {{ t := t - {prefix}1s }} \
+             test \"times\" wait {prefix}50ms expect !y"
+        );
+        assert_eq!(findings(text), [""; 0], "{prefix}");
+    }
+}
+
+#[test]
+fn times_of_literals_are_worked_out_exactly() {
+    let time = |constants: &str, time: &str| {
+        findings(format!("{START} {constants} var t : TIME rung a {{ t := {time} }} (y)"))
+    };
+    let day = "const DAY := 1d const MANY : TIME := 24d";
+    for fits in [
+        "24d + 24d - 24d",
+        "30d - 29d",
+        "-24d * 3 / 3",
+        "30 * DAY / 2",
+        "3s * (7 MOD 4)",
+        "-(24d20h31m23.648s)",
+        "5s / 0",
+        // Only what has a type wraps.
+        "MANY + MANY",
+        "MANY + 24d",
+        "t + 24d + 24d",
+    ] {
+        assert_eq!(time(day, fits), [""; 0], "{fits}");
+    }
+    for too_long in ["24d + 24d", "-24d - 24d", "30 * DAY", "3s * 3000000", "t + (20d + 20d)"] {
+        assert_eq!(time(day, too_long), ["E0202"], "{too_long}");
+    }
+    assert_eq!(time("const LONG := 24d + 24d", "LONG"), ["E0202"]);
+    let huge = format!("1d{}", " * 4294967295".repeat(8));
+    assert_eq!(time("", &huge), ["E0202"]);
+    for mixed in ["5s + 3", "3 + 5s", "5s * 5s", "3 / 5s", "5s MOD 2", "(1 + 2) + 5s"] {
+        assert_eq!(time("", mixed), ["E0201"], "{mixed}");
+    }
+}

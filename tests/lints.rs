@@ -118,6 +118,13 @@ fn a_preset_may_be_assigned_or_a_variable() {
 fn a_counter_is_reset_by_its_parameter_or_a_coil() {
     assert_eq!(demo("output z\nrung a c:CTU(PV := 3) ( z )"), "W0402 c");
     assert_eq!(demo("output z\nrung a c:CTU(PV := 3) ( z )\nrung b (R c)"), "");
+    // Allen-Bradley's count may be put back by an assignment as well.
+    for call in ["c:AB_CTU(PRE := 3)", "c:AB_CTD(PRE := 3)", "c:AB_RTO(PRE := 3)"] {
+        let counter = format!("output z\nrung a {call}\nrung c.DN ( z )\n");
+        assert_eq!(demo(&counter), "W0402 c", "{call}");
+        assert_eq!(demo(&format!("{counter}rung b {{ c.PRE := 5 }}")), "W0402 c", "{call}");
+        assert_eq!(demo(&format!("{counter}rung b {{ c.ACC := 0 }}")), "", "{call}");
+    }
     // Said, so meant.
     assert_eq!(demo("output z\nrung a c:CTU(R := FALSE, PV := 3) ( z )"), "");
 }
@@ -132,6 +139,36 @@ fn a_time_may_be_compared_with_the_values_at_which_it_rests() {
     }
     for bad in ["t.ET = 3s", "3s <> t.ET", "NOT (t.ET = 3s)"] {
         assert_eq!(compare(bad), format!("W0403 {{ {bad} }}"), "{bad}");
+    }
+}
+
+#[test]
+fn units_of_time_may_be_compared_as_times_may() {
+    for call in [
+        "t:AB_TON(PRE := 5) ( z )",
+        "t:AB_TON(PRE := 5, SIZE := DINT) ( z )",
+        "t:AB_TOF(PRE := 5) ( z )",
+        "t:AB_RTO(PRE := 5) ( z )\nrung b (R t)",
+        "t:T1_0(PV := 5) ( z )\nrung b (R t)",
+        "t:T0_1(PV := 5) ( z )\nrung b (R t)",
+        "t:T_01(PV := 5) ( z )\nrung b (R t)",
+        "t:TS(PV := 5) ( z )\nrung b (R t)",
+        "t:TT(MODE := OFF, PV := 5) ( z )",
+    ] {
+        let preset = if call.contains("PRE") { "PRE" } else { "PV" };
+        let compare = |condition: &str| {
+            demo(&format!("output z, x\nrung a {call}\nrung {{ {condition} }} ( x )"))
+        };
+        for fine in ["t.ACC = 0", &format!("t.ACC = t.{preset}"), "5 <> t.ACC", "t.ACC >= 3"] {
+            assert_eq!(compare(fine), "", "{call}: {fine}");
+        }
+        assert_eq!(compare("t.ACC = 3"), "W0403 { t.ACC = 3 }", "{call}");
+    }
+    // Counts stay until the next event.
+    for call in ["t:CTU(R := b, PV := 5)", "t:UC(PV := 5)", "t:AB_CTU(PRE := 5)"] {
+        let count = if call.contains(":CTU") { "CV" } else { "ACC" };
+        let text = format!("output z, x\nrung a {call} ( z )\nrung b (R t)\n");
+        assert_eq!(demo(&format!("{text}rung {{ t.{count} = 3 }} ( x )")), "", "{call}");
     }
 }
 

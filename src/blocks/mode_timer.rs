@@ -8,7 +8,7 @@ const fn timer(name: &'static str, title: &'static str, ports: &'static [Port; 9
     Block {
         name,
         title,
-        doc: "MODE := ON counts like T1_0: ACC grows with the units of time in which the power \
+        doc: "MODE := ON counts like T1_0 (TS) and T0_1 (TT): ACC grows with the units of time in which the power \
               and EN are on, Q comes on when it reaches PV. MODE := OFF is an off-delay: Q comes \
               on with the power and goes off when the power has been off for PV units. MODE := \
               INTERVAL is a pulse: Q is on for PV units from the rise of the power. QN is the \

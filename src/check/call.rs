@@ -2,13 +2,17 @@
 
 use std::sync::Arc;
 
+use super::function::is_function;
 use super::names::Entity;
 use super::network::Site;
 use super::{Checked, Checker, Reported};
-use crate::blocks::{self, PortRole, Shape};
+use crate::blocks::{self, Follows, Port, PortRole, Shape};
 use crate::diagnostic::{Diagnostic, code, shortened, similar_name};
-use crate::model::{Argument, ArgumentValue, Call, Element, ExprKind, InstanceId, VariableId};
+use crate::model::{
+    Argument, ArgumentValue, Call, Element, Expr, ExprKind, InstanceId, VariableId,
+};
 use crate::quantity::{self, time_text};
+use crate::source::Span;
 use crate::syntax::ast::{self, BinaryOperator, LiteralKind, Series};
 use crate::types::Type;
 
@@ -52,7 +56,7 @@ impl<'s> Checker<'s> {
             }
             let Ok(port) = self.parameter(&shape, argument.name) else { continue };
             let value = match shape.ports[port].role.range() {
-                Some(range) => self.preset(&argument.value, &shape, port, range),
+                Some(_) => self.preset(&argument.value, &shape, port),
                 None => self.circuit(&argument.value),
             };
             if let Ok(value) = value {
@@ -140,13 +144,12 @@ impl<'s> Checker<'s> {
         value: &ast::ArgumentValue<'s>,
         shape: &Shape,
         port: usize,
-        (low, high): (i64, i64),
     ) -> Checked<ArgumentValue> {
-        let port = &shape.ports[port];
         let expr = match value {
             ast::ArgumentValue::Expr(expr) => expr,
             ast::ArgumentValue::Network(Series { span, .. })
             | ast::ArgumentValue::List(_, span) => {
+                let port = &shape.ports[port];
                 let message = format!("{} takes a value of type {}", port.name, port.ty);
                 let diagnostic = Diagnostic::new(code::BAD_ARGUMENT, *span, message)
                     .label("a network or list")
@@ -154,23 +157,73 @@ impl<'s> Checker<'s> {
                 return Err(self.report(diagnostic));
             }
         };
+        self.value_of_parameter(expr, shape, port).map(ArgumentValue::Value)
+    }
+
+    /// What a call gives to a number or time of its block, or a rung assigns to it: a constant has
+    /// to lie in the range of that parameter.
+    pub(super) fn value_of_parameter(
+        &mut self,
+        expr: &ast::Expr<'s>,
+        shape: &Shape,
+        port: usize,
+    ) -> Checked<Expr> {
+        let port = &shape.ports[port];
         if port.ty != Type::Time
             && let ast::ExprKind::Literal(literal) = expr.kind
             && literal.kind == LiteralKind::Time
         {
             return Err(self.time_for_a_count(shape, port.name, literal));
         }
-        let checked = self.expression(expr, Some(port.ty))?;
-        if let ExprKind::Constant(constant) = checked.kind
-            && !(low..=high).contains(&constant)
+        let Some((low, high)) = port.role.range() else {
+            return self.expression(expr, Some(port.ty));
+        };
+        // A number of which no type says how large it may be: the range of the parameter does.
+        let checked = match port.ty != Type::Time && self.takes_any_type(expr) {
+            true => Err(self.number(expr)?),
+            false => Ok(self.expression(expr, Some(port.ty))?),
+        };
+        let constant = match &checked {
+            Ok(expr) => expr.constant().map(i128::from),
+            Err(number) => Some(*number),
+        };
+        if let Some(constant) = constant
+            && !(low.into()..=high.into()).contains(&constant)
         {
-            let message = format!("{} of {} is {low} to {high}", port.name, shape.block.name);
-            let diagnostic = Diagnostic::new(code::OUT_OF_RANGE, expr.span, message)
-                .label(format!("this is {constant}"))
-                .help("use a value in that range");
-            return Err(self.report(diagnostic));
+            return Err(self.preset_out_of_range(expr.span, constant, shape, port, (low, high)));
         }
-        Ok(ArgumentValue::Value(checked))
+        let number = |value| Expr { ty: port.ty, kind: ExprKind::Constant(value as i64) };
+        Ok(checked.unwrap_or_else(number))
+    }
+
+    fn preset_out_of_range(
+        &mut self,
+        span: Span,
+        value: i128,
+        shape: &Shape,
+        port: &Port,
+        (low, high): (i64, i64),
+    ) -> Reported {
+        let (unit, shown) = match port.ty {
+            Type::Time => {
+                let tick = i128::from(self.program.tick_ns);
+                (" ticks", value.checked_mul(tick).map_or_else(String::new, time_text))
+            }
+            _ => ("", value.to_string()),
+        };
+        let (_, widest) = Type::Dint.range();
+        let fits_a_size = (i128::from(high)..=widest.into()).contains(&value);
+        let help = match port.follows {
+            Follows::TypeOf(size) if fits_a_size => {
+                format!("use a value in that range, or give {size} := DINT for up to {widest}")
+            }
+            _ => "use a value in that range".to_owned(),
+        };
+        let message = format!("{} of {} is {low} to {high}{unit}", port.name, shape.block.name);
+        let diagnostic = Diagnostic::new(code::OUT_OF_RANGE, span, message)
+            .label(format!("this is {shown}"))
+            .help(help);
+        self.report(diagnostic)
     }
 
     /// Other makers' timers take a number of units, where IEC timers take a time.
@@ -231,6 +284,11 @@ impl<'s> Checker<'s> {
                 // The mark before the contact stands somewhere between the two.
                 contacts.push(self.contact(right, true, right.span())?);
                 Ok(contacts)
+            }
+            // `a (y)` looks like a function and is a contact and a coil.
+            ast::ExprKind::Function(name, _) if !is_function(name.text) => {
+                self.names.find(*name).map_err(|diagnostic| self.report(*diagnostic))?;
+                Err(self.output_in_an_argument(expr.span))
             }
             _ => {
                 let diagnostic =

@@ -130,7 +130,7 @@ impl<'s> Checker<'s> {
                 is_used: false,
                 span: constant.name.span,
             });
-            Ok(Constant { ty, value, index })
+            Ok(Constant { ty, value, is_typed: constant.ty.is_some(), index })
         });
         let entity = value.map_or(Entity::Broken, Entity::Constant);
         if let Err(diagnostic) = self.names.declare(constant.name, entity) {

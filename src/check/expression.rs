@@ -48,6 +48,7 @@ impl<'s> Checker<'s> {
             return self.number_of_type(expr, want);
         }
         let found = match &expr.kind {
+            _ if is_operation(expr) && self.is_exact(expr) => self.time_of_literals(expr)?,
             ast::ExprKind::Literal(literal) => self.literal(*literal, false, want)?,
             ast::ExprKind::Reference(reference) => self.read(reference, want)?,
             ast::ExprKind::Unary(operator, operand) => {
@@ -64,22 +65,6 @@ impl<'s> Checker<'s> {
             Some(want) if want != found.ty => Err(self.mismatch(expr.span, found.ty, want)),
             _ => Ok(found),
         }
-    }
-
-    pub(super) fn mismatch(&mut self, span: Span, found: Type, want: Type) -> Reported {
-        let message = format!("{want} is needed here, this is {found}");
-        let diagnostic = Diagnostic::new(code::TYPE_MISMATCH, span, message)
-            .label(format!("a value of type {found}"));
-        let help = match (want, found) {
-            (Type::Bool, _) => "compare it, for instance: { x > 0 }",
-            (Type::Time, _) => {
-                "write a time with its unit, such as 500ms, or a variable of type TIME"
-            }
-            (_, Type::Bool) => "a BOOL is no number: let it be a contact before the braces",
-            (_, Type::Time) => "a time is no number: declare the other one as TIME",
-            _ => "declare both with one type",
-        };
-        self.report(diagnostic.help(help))
     }
 
     fn literal(
@@ -107,7 +92,11 @@ impl<'s> Checker<'s> {
                 let message = format!("{ty} holds {low} to {high}");
                 let diagnostic = Diagnostic::new(code::OUT_OF_RANGE, literal.span, message)
                     .label(format!("does not fit {ty}"))
-                    .help("use a value in that range or a wider type");
+                    .help(match ty {
+                        Type::Bool => "use 0 or 1; for a number declare a type such as INT",
+                        _ if ty.width() == 32 => "use a value in that range",
+                        _ => "use a value in that range or a wider type",
+                    });
                 Err(self.report(diagnostic))
             }
         }
@@ -130,7 +119,11 @@ impl<'s> Checker<'s> {
                 let message = format!("{value} does not fit {ty}");
                 let diagnostic = Diagnostic::new(code::OUT_OF_RANGE, reference.span(), message)
                     .label("this constant")
-                    .help("use a wider type");
+                    .help(match ty {
+                        Type::Bool => "a BOOL is 0 or 1; for a number declare a type such as INT",
+                        _ if ty.width() == 32 => "use a smaller number",
+                        _ => "use a wider type",
+                    });
                 Err(self.report(diagnostic))
             }
             Resolved::Instance(instance) => Err(self.instance_is_no_value(instance, reference)),
@@ -194,12 +187,16 @@ impl<'s> Checker<'s> {
         let op = arithmetic(operator).expect("every other operator is arithmetic");
         let divisor = b.span;
         let (a, b) = match op {
-            BinaryOp::Multiply | BinaryOp::Divide => self.factors(op, a, b, want)?,
+            BinaryOp::Multiply | BinaryOp::Divide | BinaryOp::Modulo => {
+                self.factors(operator, a, b, want)?
+            }
             _ => self.operands(a, b, want)?,
         };
         match (op, a.ty, b.ty) {
             (BinaryOp::Multiply | BinaryOp::Divide, Type::Time, Type::Time)
-            | (BinaryOp::Modulo, Type::Time, _) => return Err(self.not_by_a_time(span)),
+            | (BinaryOp::Modulo, Type::Time, _) => {
+                return Err(self.no_such_operation_on_times(operator, a.ty, b.ty, span));
+            }
             _ => self.numbers_only(a.ty, span)?,
         }
         if matches!(op, BinaryOp::Divide | BinaryOp::Modulo) && b.constant() == Some(0) {
@@ -208,10 +205,10 @@ impl<'s> Checker<'s> {
         Ok(combine(op, a, b))
     }
 
-    /// The operands of `*` or `/`: of one type, or a `TIME` and an integer, in this order.
+    /// The operands of `*`, `/` or `MOD`: of one type, or a `TIME` and an integer, in this order.
     fn factors(
         &mut self,
-        op: BinaryOp,
+        operator: BinaryOperator,
         a: &ast::Expr<'s>,
         b: &ast::Expr<'s>,
         want: Option<Type>,
@@ -234,12 +231,18 @@ impl<'s> Checker<'s> {
         match (left?, right?) {
             (time, factor) if time.ty == Type::Time && factor.ty.is_integer() => Ok((time, factor)),
             (factor, time)
-                if op == BinaryOp::Multiply && time.ty == Type::Time && factor.ty.is_integer() =>
+                if operator == BinaryOperator::Multiply
+                    && time.ty == Type::Time
+                    && factor.ty.is_integer() =>
             {
                 Ok((time, factor))
             }
             (left, right) if left.ty == right.ty => Ok((left, right)),
-            (left, right) => Err(self.mismatch(b.span, right.ty, left.ty)),
+            (number, time) if number.ty.is_integer() && time.ty == Type::Time => {
+                let span = a.span.to(b.span);
+                Err(self.no_such_operation_on_times(operator, number.ty, time.ty, span))
+            }
+            (left, right) => Err(self.two_types((a.span, left.ty), (b.span, right.ty))),
         }
     }
 
@@ -256,8 +259,14 @@ impl<'s> Checker<'s> {
             return Ok((left?, right?));
         }
         let left = self.expression(a, want);
-        let right = self.expression(b, left.as_ref().ok().map(|left| left.ty));
-        Ok((left?, right?))
+        let of_left = left.as_ref().ok().map(|left| left.ty);
+        let adapts = self.adapts(b);
+        let right = self.expression(b, of_left.filter(|_| adapts));
+        let (left, right) = (left?, right?);
+        match left.ty == right.ty {
+            true => Ok((left, right)),
+            false => Err(self.two_types((a.span, left.ty), (b.span, right.ty))),
+        }
     }
 
     /// True for an integer literal, a constant without a type, and an operation on such alone.
@@ -291,11 +300,34 @@ impl<'s> Checker<'s> {
         Err(self.report(diagnostic))
     }
 
-    fn not_by_a_time(&mut self, span: Span) -> Reported {
-        let message = "a TIME is multiplied or divided by an integer only";
-        let diagnostic = Diagnostic::new(code::TYPE_MISMATCH, span, message)
-            .label("of two values of type TIME")
-            .help("TO_DINT gives the number of ticks, for instance: TO_DINT(t) / TO_DINT(u)");
+    /// `*`, `/` or `MOD` with a time where it takes none.
+    pub(super) fn no_such_operation_on_times(
+        &mut self,
+        operator: BinaryOperator,
+        left: Type,
+        right: Type,
+        span: Span,
+    ) -> Reported {
+        let in_ticks = "TO_DINT gives the number of ticks, for instance:";
+        let (message, help) = match (operator, left) {
+            (BinaryOperator::Modulo, _) => {
+                ("a TIME has no MOD", format!("{in_ticks} TO_TIME(TO_DINT(t) MOD TO_DINT(u))"))
+            }
+            (BinaryOperator::Divide, left) if left != Type::Time => (
+                "a TIME is divided by an integer, and an integer by no TIME",
+                format!("{in_ticks} n / TO_DINT(t)"),
+            ),
+            _ => (
+                "a TIME is multiplied or divided by an integer only",
+                format!("{in_ticks} TO_DINT(t) / TO_DINT(u)"),
+            ),
+        };
+        let label = match left == right {
+            true => format!("of two values of type {left}"),
+            false => format!("of {left} and {right}"),
+        };
+        let diagnostic =
+            Diagnostic::new(code::TYPE_MISMATCH, span, message).label(label).help(help);
         self.report(diagnostic)
     }
 

@@ -41,6 +41,11 @@ fn conversion(name: &str) -> Option<Type> {
     name.strip_prefix("TO_").and_then(Type::named)
 }
 
+/// True for the name of a function or conversion.
+pub(super) fn is_function(name: &str) -> bool {
+    conversion(name).is_some() || FUNCTIONS.iter().any(|entry| entry.function.name() == name)
+}
+
 impl<'s> Checker<'s> {
     pub(super) fn function(
         &mut self,

@@ -1,10 +1,15 @@
 //! From the tree of what was written to a program in which nothing is wrong any more.
 
+mod amount;
+mod base;
 mod call;
 mod declare;
+mod exact;
 mod expression;
 mod function;
 mod literal;
+mod lookalike;
+mod mismatch;
 mod names;
 mod net;
 mod network;

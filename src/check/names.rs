@@ -7,6 +7,7 @@ use crate::diagnostic::{Diagnostic, code, shortened, similar_name};
 use crate::model::{ArrayId, InstanceId, VariableId};
 use crate::source::Span;
 use crate::syntax::ast::Name;
+use crate::syntax::written_name;
 use crate::types::Type;
 
 /// Characters of the longest name.
@@ -31,6 +32,8 @@ pub(super) struct Constant {
     /// Left out, it is a name for a number that takes the type it needs.
     pub ty: Option<Type>,
     pub value: i64,
+    /// Its declaration says the type. Else it is worked out exactly with others, a `TIME` too.
+    pub is_typed: bool,
     /// Its number among the constants of the program.
     pub index: usize,
 }
@@ -97,7 +100,8 @@ impl<'s> Names<'s> {
         } else {
             "give one of them another name: VHDL cannot tell them apart"
         };
-        self.exact.entry(name.text).or_insert((Entity::Broken, name.span));
+        // Which of the two a use means is not known, so uses are not judged.
+        self.exact.insert(name.text, (Entity::Broken, before));
         let diagnostic = Diagnostic::new(code::DUPLICATE_NAME, name.span, message)
             .label("declared again")
             .also(before, "declared here first")
@@ -123,17 +127,33 @@ impl<'s> Names<'s> {
         if let Some(coming) = self.coming.get(name.text) {
             return Err(used_too_early(name, *coming).into());
         }
-        let message = format!("nothing is named `{}`", shortened(name.text));
-        let diagnostic =
-            Diagnostic::new(code::UNKNOWN_NAME, name.span, message).label("not declared");
-        let diagnostic = match self.similar(name.text) {
-            Some(similar) => diagnostic.help(format!("is `{similar}` meant?")),
-            None => {
-                diagnostic.help(format!("declare it, for instance: var {}", shortened(name.text)))
+        let help = self.help(name, "");
+        Err(self.unknown(name, help).into())
+    }
+
+    /// How to mend the use of an unknown name, which may be an array's.
+    pub fn help(&mut self, name: Name<'s>, length: &str) -> String {
+        match (self.similar(name.text), name.text) {
+            (Some(similar), _) => format!("is `{similar}` meant?"),
+            (None, "rise" | "fall") => format!(
+                "an edge contact has brackets: {0}(x); a variable of this name is declared in \
+                 back-ticks: var `{0}`",
+                name.text
+            ),
+            (None, text) if text.eq_ignore_ascii_case("and") || text.eq_ignore_ascii_case("or") => {
+                "contacts in series are written `a b`, in parallel `[ a | b ]`".to_owned()
             }
-        };
+            (None, text) => {
+                format!("declare it, for instance: var {}{length}", shortened(&written_name(text)))
+            }
+        }
+    }
+
+    /// Says that nothing has this name, and is silent about it from now on.
+    pub fn unknown(&mut self, name: Name<'s>, help: String) -> Diagnostic {
         self.exact.insert(name.text, (Entity::Broken, name.span));
-        Err(Box::new(diagnostic))
+        let message = format!("nothing is named `{}`", shortened(name.text));
+        Diagnostic::new(code::UNKNOWN_NAME, name.span, message).label("not declared").help(help)
     }
 
     /// The declared name that is most like an unknown one.

@@ -74,7 +74,13 @@ impl<'s> Checker<'s> {
             self.report(diagnostic);
         }
         let mut elements = Vec::with_capacity(series.elements.len());
-        for element in &series.elements {
+        let mut rest = series.elements.as_slice();
+        while let [element, after @ ..] = rest {
+            rest = after;
+            if self.is_misspelt_edge(element, after) || self.is_element_of_nothing(element, after) {
+                rest = &after[1..];
+                continue;
+            }
             elements.extend(self.element(element, site).ok());
         }
         elements
@@ -130,10 +136,7 @@ impl<'s> Checker<'s> {
             (
                 ElementKind::Coil { .. } | ElementKind::Assign { .. } | ElementKind::Call(_),
                 Site::Argument,
-            ) => (
-                "an argument cannot hold outputs and blocks",
-                "put it into a rung of its own and read its result here",
-            ),
+            ) => return Err(self.output_in_an_argument(element.span)),
             (
                 ElementKind::Coil { .. } | ElementKind::Assign { .. } | ElementKind::Call(_),
                 Site::Expectation,
@@ -172,6 +175,14 @@ impl<'s> Checker<'s> {
             .label("cannot stand here")
             .help(help);
         Err(self.report(diagnostic))
+    }
+
+    pub(super) fn output_in_an_argument(&mut self, span: Span) -> Reported {
+        let problem = "an argument cannot hold outputs and blocks";
+        let diagnostic = Diagnostic::new(code::MISPLACED, span, problem)
+            .label("cannot stand here")
+            .help("put it into a rung of its own and read its result here");
+        self.report(diagnostic)
     }
 
     pub(super) fn contact(

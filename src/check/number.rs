@@ -6,6 +6,7 @@ use super::{Checked, Checker, literal};
 use crate::diagnostic::{Diagnostic, code, shortened};
 use crate::model::{Expr, ExprKind};
 use crate::quantity;
+use crate::source::Span;
 use crate::syntax::ast::{self, BinaryOperator};
 use crate::types::Type;
 
@@ -122,23 +123,22 @@ impl<'s> Checker<'s> {
         literal: ast::Literal<'s>,
         negative: bool,
     ) -> Checked<i64> {
+        let ticks = self.exact_ticks(literal)?;
+        let ticks = if negative { -ticks } else { ticks };
+        if Type::Time.holds(ticks) {
+            return Ok(ticks as i64);
+        }
+        Err(self.time_too_long(literal.span, None))
+    }
+
+    /// The number of ticks that a time literal says, also where no `TIME` holds so many.
+    pub(super) fn exact_ticks(&mut self, literal: ast::Literal<'s>) -> Checked<i128> {
         let tick = i128::from(self.program.tick_ns);
-        let longest = (i128::from(i32::MAX) + i128::from(negative)) * tick;
-        let ns = quantity::time_ns(literal.text);
-        let Some(ns) = ns.filter(|&ns| ns <= longest) else {
-            let message = format!("a TIME holds {} ticks at most", i32::MAX);
-            let diagnostic = Diagnostic::new(code::OUT_OF_RANGE, literal.span, message)
-                .label("longer than that")
-                .help(format!(
-                    "a tick is {}, so a time is less than {}; declare a longer tick",
-                    quantity::time_text(tick),
-                    quantity::time_text(roughly(longest))
-                ));
-            return Err(self.report(diagnostic));
+        let Some(ns) = quantity::time_ns(literal.text) else {
+            return Err(self.time_too_long(literal.span, None));
         };
         if ns % tick == 0 {
-            let ticks = (ns / tick) as i64;
-            return Ok(if negative { -ticks } else { ticks });
+            return Ok(ns / tick);
         }
         let below = ns / tick * tick;
         let nearest = match below {
@@ -150,6 +150,28 @@ impl<'s> Checker<'s> {
             .label(format!("a tick is {}", quantity::time_text(tick)))
             .help(format!("use {nearest}, or declare a shorter tick"));
         Err(self.report(diagnostic))
+    }
+
+    /// A time of more ticks than a `TIME` holds, and what it is worked out to.
+    pub(super) fn time_too_long(&mut self, span: Span, time: Option<String>) -> super::Reported {
+        let tick = i128::from(self.program.tick_ns);
+        let (low, high) = Type::Time.range();
+        let (message, label) = match time {
+            Some(time) => {
+                let words: Vec<_> = self.source.slice(span).split_whitespace().collect();
+                let text = words.join(" ");
+                let holds = format!("a TIME holds {low} to {high} ticks");
+                (format!("`{}` is {time}, and {holds}", shortened(&text)), "outside that range")
+            }
+            None => (format!("a TIME holds {high} ticks at most"), "longer than that"),
+        };
+        let diagnostic =
+            Diagnostic::new(code::OUT_OF_RANGE, span, message).label(label).help(format!(
+                "a tick is {}, so a time is less than {}; declare a longer tick",
+                quantity::time_text(tick),
+                quantity::time_text(roughly(i128::from(high) * tick))
+            ));
+        self.report(diagnostic)
     }
 }
 

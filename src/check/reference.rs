@@ -23,7 +23,7 @@ impl<'s> Checker<'s> {
     pub(super) fn resolve(&mut self, reference: &Reference<'s>) -> Checked<Resolved> {
         let entity = match self.names.find(reference.name) {
             Ok(entity) => entity,
-            Err(diagnostic) => return Err(self.report(*diagnostic)),
+            Err(diagnostic) => return Err(self.unknown_reference(reference, *diagnostic)),
         };
         let name = reference.name.text;
         match (entity, reference.path.as_slice()) {
@@ -53,6 +53,22 @@ impl<'s> Checker<'s> {
                 Err(self.no_such_part(name, part))
             }
         }
+    }
+
+    /// `I0.3` reads as a bit, and is an address where nothing is named `I0`.
+    fn unknown_reference(&mut self, reference: &Reference<'s>, found: Diagnostic) -> Reported {
+        let text = self.source.slice(reference.span());
+        let is_letter = |c: char| c.is_ascii_uppercase();
+        let letters = text.len() - text.trim_start_matches(is_letter).len();
+        let name = reference.name.text;
+        let is_area = (1..=2).contains(&letters)
+            && name.len() > letters
+            && name[letters..].chars().all(|c| c.is_ascii_digit());
+        if !is_area || !matches!(reference.path.as_slice(), [Accessor::Bit(_)]) {
+            return self.report(found);
+        }
+        let help = format!("an address is declared and used in back-ticks: `` `{text}` ``");
+        self.report(Diagnostic { help: vec![help], ..found })
     }
 
     fn no_such_part(&mut self, name: &str, part: &Accessor<'s>) -> Reported {

@@ -3,10 +3,10 @@
 use super::names::not_a_constant;
 use super::network::Site;
 use super::reference::Resolved;
-use super::{Checked, Checker, literal};
+use super::{Checked, Checker};
 use crate::diagnostic::{Diagnostic, code};
 use crate::model::{Base, Expect, Place, Role, Statement, Test};
-use crate::syntax::ast::{self, Literal, Reference, StatementKind};
+use crate::syntax::ast::{self, Amount, Reference, StatementKind};
 use crate::types::Type;
 
 /// Scans of the longest test: at a tick of 1 ms more than a day.
@@ -47,7 +47,7 @@ impl<'s> Checker<'s> {
             }
             StatementKind::Scan(None) => Statement::Scan(1),
             StatementKind::Scan(Some(count)) => Statement::Scan(self.count(*count)?),
-            StatementKind::Wait(time) => Statement::Wait(self.ticks(*time)? as u64),
+            StatementKind::Wait(time) => Statement::Wait(self.ticks_of(*time)?),
             StatementKind::Pulse(reference) => return self.pulse(reference),
             StatementKind::Repeat(count, statements) => {
                 let statements = self.statements(statements);
@@ -65,10 +65,11 @@ impl<'s> Checker<'s> {
                         );
                     return Err(self.report(diagnostic));
                 }
+                let bases = self.bases_in(network);
                 let network = self.series(network, Site::Expectation);
                 let index = self.expectations;
                 self.expectations += 1;
-                Statement::Expect(Expect { network, index, span: statement.span, spans })
+                Statement::Expect(Expect { network, index, span: statement.span, spans, bases })
             }
         }])
     }
@@ -113,13 +114,18 @@ impl<'s> Checker<'s> {
         Err(self.report(diagnostic))
     }
 
-    fn count(&mut self, literal: Literal<'s>) -> Checked<u64> {
-        let count = literal::integer(literal).and_then(|count| u64::try_from(count).ok());
-        count.ok_or_else(|| {
-            let message = format!("a test may run {MOST_SCANS} scans at most");
-            let diagnostic = Diagnostic::new(code::OUT_OF_RANGE, literal.span, message)
-                .label("more than that")
-                .help("use a smaller number");
+    fn count(&mut self, amount: Amount<'s>) -> Checked<u64> {
+        let count = self.number_of(amount)?;
+        u64::try_from(count).map_err(|_| {
+            let (message, help) = match count < 0 {
+                true => ("a test runs 0 scans or more".to_owned(), "use a positive number"),
+                false => {
+                    (format!("a test may run {MOST_SCANS} scans at most"), "use a smaller number")
+                }
+            };
+            let diagnostic = Diagnostic::new(code::OUT_OF_RANGE, amount.span(), message)
+                .label(if count < 0 { "less than that" } else { "more than that" })
+                .help(help);
             self.report(diagnostic)
         })
     }

@@ -5,7 +5,7 @@ use super::{Checked, Checker, Reported, literal};
 use crate::diagnostic::{Diagnostic, code, shortened, similar_name};
 use crate::model::{Array, Elements, Role, Variable, VariableId};
 use crate::source::Span;
-use crate::syntax::ast::{self, Declarator, Initial, Literal, TypeName, VariableKind, Variables};
+use crate::syntax::ast::{self, Amount, Declarator, Initial, TypeName, VariableKind, Variables};
 use crate::types::Type;
 
 /// Elements of the longest array: each is a register of its own.
@@ -52,11 +52,11 @@ impl<'s> Checker<'s> {
         Ok(Kind { role, ty: ty?, length: length? })
     }
 
-    fn array_length(&mut self, length: Literal<'s>) -> Checked<u32> {
-        let number = literal::integer(length).and_then(|number| u32::try_from(number).ok());
+    fn array_length(&mut self, length: Amount<'s>) -> Checked<u32> {
+        let number = u32::try_from(self.number_of(length)?).ok();
         number.filter(|number| (1..=MOST_ELEMENTS).contains(number)).ok_or_else(|| {
             let message = format!("an array has 1 to {MOST_ELEMENTS} elements");
-            let diagnostic = Diagnostic::new(code::OUT_OF_RANGE, length.span, message)
+            let diagnostic = Diagnostic::new(code::OUT_OF_RANGE, length.span(), message)
                 .label("not so many")
                 .help("every element is a register of its own in the hardware");
             self.report(diagnostic)
@@ -85,7 +85,7 @@ impl<'s> Checker<'s> {
         let ty = self.type_named(name.name)?;
         let Some(length) = name.length else { return Ok(ty) };
         let message = "a constant is one value and no array";
-        let diagnostic = Diagnostic::new(code::TYPE_MISMATCH, length.span, message)
+        let diagnostic = Diagnostic::new(code::TYPE_MISMATCH, length.span(), message)
             .label("an array")
             .help("declare a variable with these initial values, and do not write it");
         Err(self.report(diagnostic))

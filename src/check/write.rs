@@ -1,11 +1,15 @@
 //! Coils and assignments: what a rung writes, and what it may not.
 
+use std::sync::Arc;
+
 use super::reference::Resolved;
 use super::{Checked, Checker};
+use crate::blocks::Shape;
 use crate::diagnostic::{Diagnostic, code};
 use crate::model::{self, CoilAction, Element, Place, Role, Variable};
 use crate::source::Span;
 use crate::syntax::ast::{self, Edge, Reference};
+use crate::syntax::written_name;
 use crate::types::Type;
 
 impl<'s> Checker<'s> {
@@ -54,10 +58,7 @@ impl<'s> Checker<'s> {
         let message = format!("the {} `{}` cannot be reset", block.title, instance.name);
         let diagnostic = Diagnostic::new(code::MISPLACED, span, message)
             .label("a reset of an off-delay timer")
-            .help(format!(
-                "to end the delay, assign the preset: {{ {0}.ACC := {0}.PRE }}",
-                instance.name
-            ));
+            .help(how_to_put_back(instance));
         Err(self.report(diagnostic))
     }
 
@@ -69,9 +70,23 @@ impl<'s> Checker<'s> {
     ) -> Checked<Element> {
         let resolved = self.resolve(target);
         let place = resolved.and_then(|resolved| self.writable(resolved, target));
-        let want = place.as_ref().ok().map(|place| place.ty(&self.program));
-        let value = self.expression(value, want);
+        let parameter = place.as_ref().ok().and_then(|place| self.parameter_at(place));
+        let value = match parameter {
+            Some((shape, port)) => self.value_of_parameter(value, &shape, port),
+            None => {
+                let want = place.as_ref().ok().map(|place| place.ty(&self.program));
+                self.expression(value, want)
+            }
+        };
         Ok(Element::Assign { target: place?, value: value?, span })
+    }
+
+    /// The number or time of a block that a place is.
+    fn parameter_at(&self, place: &Place) -> Option<(Arc<Shape>, usize)> {
+        let variable = &self.program.variables[place.as_variable()?];
+        let Role::Member(instance, port) = variable.role else { return None };
+        let shape = &self.program.instances[instance].shape;
+        shape.ports[port].role.range().map(|_| (shape.clone(), port))
     }
 
     /// The place, if a rung may write it.
@@ -84,11 +99,11 @@ impl<'s> Checker<'s> {
                 "declare it with var or output".to_owned(),
             ),
             Resolved::Instance(instance) => {
-                let block = self.program.instances[instance].shape.block;
+                let instance = &self.program.instances[instance];
                 (
-                    format!("`{name}` is a block ({}), not a variable", block.name),
+                    format!("`{name}` is a block ({}), not a variable", instance.shape.block.name),
                     "a block instance",
-                    format!("to reset it write (R {name})"),
+                    how_to_put_back(instance),
                 )
             }
             Resolved::Array(array) => return Err(self.array_is_no_value(array, target)),
@@ -131,7 +146,7 @@ impl<'s> Checker<'s> {
             return Some((
                 format!("`{name}` is an output of the block {}", instance.shape.block.name),
                 "written by the block alone",
-                format!("to reset it write (R {})", instance.name),
+                how_to_put_back(instance),
             ));
         }
         instance.given[port].then(|| {
@@ -141,5 +156,14 @@ impl<'s> Checker<'s> {
                 format!("leave {} out of the call", member.name),
             )
         })
+    }
+}
+
+/// How a program puts a block back to its start.
+fn how_to_put_back(instance: &model::Instance) -> String {
+    let name = written_name(&instance.name);
+    match instance.shape.block.can_reset {
+        true => format!("to reset it write (R {name})"),
+        false => format!("to end the delay, assign the preset: {{ {name}.ACC := {name}.PRE }}"),
     }
 }

@@ -10,7 +10,7 @@ use hotrail::backend::CircuitRunner;
 use hotrail::backend::hdl::Harmless;
 use hotrail::backend::processor::{self, Runner};
 use hotrail::diagnostic::{Diagnostic, code};
-use hotrail::eval::{self, Evaluator, Failure, Outcome};
+use hotrail::eval::{self, Evaluator, Failure, Moment, Outcome};
 use hotrail::lint;
 use hotrail::model::{Program, Role, Test, VariableId};
 use hotrail::source::Source;
@@ -220,7 +220,8 @@ impl Shown<'_> {
 
     fn finding(&self, test: &Test, failure: &Failure) -> Diagnostic {
         let (title, executor) = (Harmless::unicode(&test.title), self.executor.name());
-        let message = format!("the test \"{title}\" failed on {executor}");
+        let moment = failure.moment.as_ref().and_then(in_words).unwrap_or_default();
+        let message = format!("the test \"{title}\" failed on {executor}{moment}");
         let found = Diagnostic::new(code::EXPECTATION, failure.span, message)
             .label(format!("does not conduct: {}", failure.text));
         match self.why(test, failure) {
@@ -243,6 +244,14 @@ impl Shown<'_> {
         let name = quoted(&self.program.variables[*variable].name);
         Some(format!("hotrail why {file} --test {} {name}", quoted(&test.title)))
     }
+}
+
+/// Which turn it was of the `repeat` in which an expectation stands.
+fn in_words(moment: &Moment) -> Option<String> {
+    let turns = moment.turns.iter().map(|(turn, turns)| format!(" in turn {turn} of {turns},"));
+    let turns: String = turns.collect();
+    let plural = if moment.scans == 1 { "" } else { "s" };
+    (!turns.is_empty()).then(|| format!(",{turns} after {} scan{plural}", moment.scans))
 }
 
 /// A word of a command as a shell takes it.

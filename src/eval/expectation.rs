@@ -3,6 +3,7 @@
 use crate::model::{
     Element, Expect, Expr, ExprKind, Place, Program, Series, Statement, Test, Variable, VariableId,
 };
+use crate::quantity;
 use crate::source::Span;
 use crate::types::Type;
 
@@ -15,6 +16,18 @@ pub struct Failure {
     pub text: String,
     /// The variables that its contacts look at, in text order.
     pub variables: Vec<VariableId>,
+    /// When it failed, where what ran the test can tell.
+    pub moment: Option<Moment>,
+}
+
+/// Where a test stands.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Moment {
+    /// Scans that the test has run.
+    pub scans: u64,
+    /// For each `repeat` around the place, the turn from 1 and the number of turns; the outermost
+    /// first.
+    pub turns: Vec<(u64, u64)>,
 }
 
 /// True if an element of an expectation conducts, given the values that it looks at.
@@ -128,7 +141,7 @@ pub fn explain(
 ) -> Failure {
     let mut values: Vec<String> = Vec::new();
     let mut note = |place: &Place| {
-        let text = shown(program, place, &value);
+        let text = shown(program, expect, place, &value);
         if !values.contains(&text) {
             values.push(text);
         }
@@ -146,7 +159,7 @@ pub fn explain(
     };
     let mut variables = Vec::new();
     element_variables(&expect.network[element], &mut variables);
-    Failure { span: expect.spans[element], text, variables }
+    Failure { span: expect.spans[element], text, variables, moment: None }
 }
 
 /// Calls `see` with every place that an expression reads, in text order.
@@ -157,13 +170,59 @@ fn for_each_place(expr: &Expr, see: &mut dyn FnMut(&Place)) {
     expr.parts().into_iter().for_each(|part| for_each_place(part, see));
 }
 
-/// A place and its value: `motor is 0`, `w[2].5 is 1`.
-fn shown(program: &Program, place: &Place, value: &impl Fn(VariableId) -> i64) -> String {
+/// A place and its value: `motor is 0`, `w[2].5 is 1`, `mask is 16#FF`, `delay.ET is 999ms`.
+fn shown(
+    program: &Program,
+    expect: &Expect,
+    place: &Place,
+    value: &impl Fn(VariableId) -> i64,
+) -> String {
     let Some(variable) = place.variable(value) else {
         return format!("{} is 0, its index is out of range", place.name(program));
     };
     let Variable { name, ty, .. } = &program.variables[variable];
-    let bit = place.bit.map(|bit| format!(".{bit}")).unwrap_or_default();
-    let unit = if *ty == Type::Time { " ticks" } else { "" };
-    format!("{name}{bit} is {}{unit}", place.value(value))
+    let number = place.value(value);
+    match place.bit {
+        Some(bit) => format!("{name}.{bit} is {number}"),
+        None if *ty == Type::Time => {
+            format!("{name} is {}", quantity::ticks_text(number, program.tick_ns))
+        }
+        None => {
+            // Of an element the array is what has been noted.
+            let array = program.array_of(variable);
+            let declared = array.map_or(variable, |array| program.arrays[array].elements.first);
+            let base = expect.bases.iter().find(|(variable, _)| *variable == declared);
+            format!("{name} is {}", on_base(number, base.map_or(10, |&(_, base)| base)))
+        }
+    }
+}
+
+/// A number as a program writes it on a base.
+fn on_base(number: i64, base: u32) -> String {
+    match base {
+        _ if number < 0 => number.to_string(),
+        16 => format!("16#{number:X}"),
+        8 => format!("8#{number:o}"),
+        2 => format!("2#{number:b}"),
+        _ => number.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_written_as_in_a_program() {
+        for (number, base, text) in [
+            (43981, 16, "16#ABCD"),
+            (43981, 10, "43981"),
+            (15, 8, "8#17"),
+            (5, 2, "2#101"),
+            (0, 16, "16#0"),
+            (-1, 16, "-1"),
+        ] {
+            assert_eq!(on_base(number, base), text);
+        }
+    }
 }

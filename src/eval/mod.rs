@@ -13,7 +13,7 @@ mod why;
 
 pub use evaluator::Evaluator;
 pub use expectation::{
-    Failure, conducts, explain, variables_of, variables_of_test, variables_of_tests,
+    Failure, Moment, conducts, explain, variables_of, variables_of_test, variables_of_tests,
 };
 pub use flow::{Flow, Reading, Seen, value_text};
 pub use machine::{Machine, Row};

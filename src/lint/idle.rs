@@ -1,7 +1,7 @@
 //! Statements of tests that drive nothing and run no scan.
 
 use crate::diagnostic::{Diagnostic, code};
-use crate::syntax::ast::{File, Item, Literal, LiteralKind, Statement, StatementKind};
+use crate::syntax::ast::{Amount, File, Item, LiteralKind, Statement, StatementKind};
 
 pub(super) fn check(file: &File<'_>, found: &mut Vec<Diagnostic>) {
     for item in &file.items {
@@ -34,7 +34,9 @@ fn statements(all: &[Statement<'_>], found: &mut Vec<Diagnostic>) {
 }
 
 /// True for a number or time without a digit other than 0: what stands before a `#` is its base.
-fn is_zero(literal: Literal<'_>) -> bool {
+fn is_zero(amount: Amount<'_>) -> bool {
+    // What a constant stands for is nothing that the text shows.
+    let Amount::Literal(literal) = amount else { return false };
     let digits = literal.text.rsplit('#').next().unwrap_or(literal.text);
     let is_digit = |digit: u8| match literal.kind {
         LiteralKind::Time => digit.is_ascii_digit(),

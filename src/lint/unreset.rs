@@ -1,6 +1,7 @@
 //! A counter or retentive timer that nothing puts back.
 
 use super::index::Index;
+use crate::blocks::PortRole;
 use crate::diagnostic::{Diagnostic, code};
 
 pub(super) fn check(index: &Index, found: &mut Vec<Diagnostic>) {
@@ -11,7 +12,12 @@ pub(super) fn check(index: &Index, found: &mut Vec<Diagnostic>) {
             let port = instance.shape.port_named(name).expect("a block keeps until its own ports");
             instance.given[port] || !index.writes_of(instance.members[port]).is_empty()
         };
-        if index.is_reset(call.instance) || resets.iter().any(is_used) {
+        // A rung that gives the count another value is as good as a reset.
+        let is_assigned =
+            std::iter::zip(&instance.shape.ports, &instance.members).any(|(port, &member)| {
+                matches!(port.role, PortRole::Accumulator(_)) && !index.writes_of(member).is_empty()
+            });
+        if is_assigned || index.is_reset(call.instance) || resets.iter().any(is_used) {
             continue;
         }
         let title = call.shape.block.title;

@@ -1,6 +1,6 @@
 //! The tests of a program.
 
-use super::{Place, Program, Series};
+use super::{Place, Program, Series, VariableId};
 use crate::source::Span;
 
 impl Program {
@@ -67,4 +67,7 @@ pub struct Expect {
     pub span: Span,
     /// The places of the elements of the outermost series.
     pub spans: Vec<Span>,
+    /// Variables that stand beside a number on another base than 10, and that base. Of an array it
+    /// is the first element.
+    pub bases: Vec<(VariableId, u32)>,
 }

@@ -71,6 +71,9 @@ pub(super) fn is_reserved(word: &str) -> bool {
     )
 }
 
+/// What to do about a reserved word that was meant as a name.
+const ANOTHER_NAME: &str = "choose another name";
+
 /// A reserved word stands where a name belongs.
 pub(super) fn reserved_name(word: &str, span: Span) -> Diagnostic {
     Diagnostic::new(
@@ -84,8 +87,14 @@ pub(super) fn reserved_name(word: &str, span: Span) -> Diagnostic {
             "`{word}` stands in expressions: `{{ a AND NOT b }}`; contacts are written `a !b` in \
              series, `[ a | b ]` in parallel"
         ),
-        _ => format!("choose another name, or write it in back-ticks: `` `{word}` ``"),
+        _ => format!("{ANOTHER_NAME}, or write it in back-ticks: `` `{word}` ``"),
     })
+}
+
+/// True for a finding about a reserved word that was meant as a name, and not as an operator.
+pub(super) fn is_reserved_name(found: &Diagnostic) -> bool {
+    found.code == code::RESERVED_NAME
+        && found.help.first().is_some_and(|help| help.starts_with(ANOTHER_NAME))
 }
 
 /// The token at the start of a text.

@@ -4,6 +4,7 @@ mod expression;
 mod grammar;
 mod items;
 mod literal;
+mod meant;
 mod network;
 #[cfg(test)]
 mod shape;
@@ -16,7 +17,7 @@ use std::thread;
 
 use super::arrays::Arrays;
 use super::ast::{File, Item, Name, Reserved};
-use super::fault::{Fault, first_token, found, reserved_name};
+use super::fault::{Fault, first_token, found, is_reserved_name, reserved_name};
 use super::split::{Chunk, Keyword, Split, split, starts_mid_line};
 use crate::diagnostic::{Diagnostic, code};
 use crate::source::{Source, Span};
@@ -44,11 +45,11 @@ pub fn parse(source: &Source) -> (File<'_>, Vec<Diagnostic>) {
 
     let (items, broken) = settle(text, &chunks, outcomes, &mut diagnostics);
     diagnostics.sort_by_key(|diagnostic| diagnostic.primary.span);
-    // Of a name with a letter beyond ASCII one finding is enough.
+    // Of a name that needs back-ticks one finding is enough.
     let mut names = HashSet::new();
     diagnostics.retain(|found| {
-        found.primary.text != expression::NOT_ASCII
-            || found.help.first().is_none_or(|name| names.insert(name.clone()))
+        let is_name = found.primary.text == expression::NOT_ASCII || is_reserved_name(found);
+        !is_name || found.help.first().is_none_or(|name| names.insert(name.clone()))
     });
     (File { items, comments, broken }, diagnostics)
 }
@@ -142,7 +143,9 @@ impl<'s> Context<'_, 's> {
             Err(mut fault) => {
                 let at = fault.diagnostic.primary.span.start as usize - lower.base;
                 let is_blank = |text: &str| text.trim_ascii().is_empty();
-                fault.at_start = is_blank(&body[..at]);
+                // The place of an address is where it begins, not where it goes wrong.
+                let is_address = fault.diagnostic.primary.text == meant::AN_ADDRESS;
+                fault.at_start = is_blank(&body[..at]) && !is_address;
                 fault.at_end = is_blank(&body[at..]);
                 if fault.at_end {
                     self.name_what_follows(chunk, &mut fault.diagnostic);

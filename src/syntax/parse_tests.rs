@@ -59,7 +59,7 @@ fn every_declaration_reads() {
             && v.ty.is_none() && v.names[0].address.unwrap().text == "316"
             && matches!(v.names[0].initial, Some(Initial::Value(_)))));
         assert!(matches!(array, Item::Variables(v) if v.kind == VariableKind::Var
-            && v.ty.as_ref().unwrap().length.unwrap().text == "3"
+            && v.ty.as_ref().unwrap().length.unwrap().text() == "3"
             && matches!(&v.names[0].initial, Some(Initial::List(values, _)) if values.len() == 2)));
         assert!(matches!(two, Item::Variables(v)
             if v.names.len() == 2 && v.names.iter().all(|name| name.initial.is_some())));
@@ -115,7 +115,7 @@ fn only_arrays_have_indexes() {
         ["1:8 E0001 expected an operator, `:=` or `}`, found `[`"]
     );
     // A mistake in its declaration makes no other where an array is read.
-    assert_eq!(mistakes("var w : WORD[x]\nrung w[2] (y)").len(), 1);
+    assert_eq!(mistakes("var w : WORD[+]\nrung w[2] (y)").len(), 1);
 }
 
 #[test]
@@ -179,14 +179,23 @@ fn operators_bind_as_in_structured_text() {
 fn tests_read() {
     let text = "test \"t\" start := 1 n := -5 + a scan scan 10 wait 1.5s pulse `a b` reset\n\
         repeat 4 { scan repeat 2 { } } expect a !b { n = 3 } [ c | d ] b.5 := 1 expect w x := 2";
-    let shape = parsed(text, |file| match &file.items[0] {
-        Item::Test(test) => statements(&test.statements),
-        other => panic!("{other:?}"),
-    });
+    let shape = |text| {
+        parsed(text, |file| match &file.items[0] {
+            Item::Test(test) => statements(&test.statements),
+            other => panic!("{other:?}"),
+        })
+    };
     assert_eq!(
-        shape,
+        shape(text),
         "start:=1;n:=((Negate 5) Add a);scan;scan 10;wait 1.5s;pulse a b;reset;\
          4*{scan;2*{}};expect a !b {(n Equal 3)} [c|d];b.#5:=1;expect w;x:=2"
+    );
+    // A name is an amount, unless it is what the next statement drives.
+    assert_eq!(
+        shape(
+            "test \"t\" scan N scan a := 1 scan a.5 := 1 wait T a := 1 repeat N { scan } scan scan"
+        ),
+        "scan N;scan;a:=1;scan;a.#5:=1;wait T;a:=1;N*{scan};scan;scan"
     );
 }
 

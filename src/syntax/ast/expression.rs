@@ -136,6 +136,33 @@ pub struct Literal<'s> {
     pub span: Span,
 }
 
+/// How many or how long: a literal, or a constant that stands for one.
+#[derive(Clone, Copy, Debug)]
+pub enum Amount<'s> {
+    /// `10`, `500ms`
+    Literal(Literal<'s>),
+    /// `PATIENCE`
+    Constant(Name<'s>),
+}
+
+impl<'s> Amount<'s> {
+    /// As written, a name without its back-ticks.
+    pub fn text(&self) -> &'s str {
+        match self {
+            Amount::Literal(literal) => literal.text,
+            Amount::Constant(name) => name.text,
+        }
+    }
+
+    /// Its place.
+    pub fn span(&self) -> Span {
+        match self {
+            Amount::Literal(literal) => literal.span,
+            Amount::Constant(name) => name.span,
+        }
+    }
+}
+
 /// The kinds of literal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LiteralKind {

@@ -8,7 +8,8 @@ mod network;
 mod test;
 
 pub use expression::{
-    Accessor, BinaryOperator, Expr, ExprKind, Literal, LiteralKind, Reference, UnaryOperator,
+    Accessor, Amount, BinaryOperator, Expr, ExprKind, Literal, LiteralKind, Reference,
+    UnaryOperator,
 };
 pub use network::{
     Argument, ArgumentValue, Call, CoilAction, Connection, Edge, Element, ElementKind, Net, Series,
@@ -142,7 +143,7 @@ pub struct TypeName<'s> {
     /// The scalar type's name.
     pub name: Name<'s>,
     /// The number of elements of an array.
-    pub length: Option<Literal<'s>>,
+    pub length: Option<Amount<'s>>,
 }
 
 /// `const NAME : TYPE := value`

@@ -1,6 +1,6 @@
 //! The statements of a test.
 
-use super::{Expr, Literal, Reference, Series, Text};
+use super::{Amount, Expr, Reference, Series, Text};
 use crate::source::Span;
 
 /// `test "title" statements`
@@ -29,13 +29,13 @@ pub enum StatementKind<'s> {
     /// `start := 1`
     Drive(Reference<'s>, Expr<'s>),
     /// `scan`, `scan 10`
-    Scan(Option<Literal<'s>>),
+    Scan(Option<Amount<'s>>),
     /// `wait 500ms`
-    Wait(Literal<'s>),
+    Wait(Amount<'s>),
     /// `pulse start`
     Pulse(Reference<'s>),
     /// `repeat 4 { ... }`
-    Repeat(Literal<'s>, Vec<Statement<'s>>),
+    Repeat(Amount<'s>, Vec<Statement<'s>>),
     /// `reset`
     Reset,
     /// `expect a !b`

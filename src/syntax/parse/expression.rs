@@ -255,6 +255,12 @@ impl<'s> Lower<'s> {
         if matches!(&self.text[name_span.range()], "rise" | "fall") {
             return self.element_as_value(&self.text[span.range()], span);
         }
+        if &self.text[name_span.range()] == "not" {
+            let message = "expected a variable, a number or `(`, found `not`";
+            let diagnostic =
+                Diagnostic::new(code::SYNTAX, name_span, message).label("not expected here");
+            return self.fault(diagnostic.help("operators have capital letters: `NOT a`"));
+        }
         let name = self.name_at(name_span)?;
         let mut depth = 0;
         let mut values = Vec::new();

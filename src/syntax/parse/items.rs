@@ -121,7 +121,7 @@ impl<'s> Lower<'s> {
     fn type_name(&self, pair: Pair<'_>) -> Parsed<TypeName<'s>> {
         let mut parts = pair.into_inner();
         let name = self.name(&next(&mut parts))?;
-        let length = parts.next().map(|length| self.integer(&length, "the number of elements"));
+        let length = parts.next().map(|length| self.count(&length, "the number of elements"));
         Ok(TypeName { name, length: length.transpose()? })
     }
 

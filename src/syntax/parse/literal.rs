@@ -1,9 +1,9 @@
 //! Numbers, times and quantities: what they are by their looks.
 
-use super::grammar::Pair;
+use super::grammar::{Pair, Rule};
 use super::{Lower, Parsed};
 use crate::diagnostic::{Diagnostic, code, shortened};
-use crate::syntax::ast::{Literal, LiteralKind, Text};
+use crate::syntax::ast::{Amount, Literal, LiteralKind, Text};
 
 const BASES: &str = "the base of a number is 2, 8 or 16";
 const UNDERSCORE: &str = "one `_` stands between two digits";
@@ -27,6 +27,10 @@ impl<'s> Lower<'s> {
             Err(mistake) => mistake,
         };
         let message = format!("`{}` is no number and no time", shortened(text));
+        if let Some(based) = based_elsewhere(text) {
+            let diagnostic = Diagnostic::new(code::SYNTAX, span, message).label(BASES);
+            return self.fault(diagnostic.help(format!("write {}", shortened(&based))));
+        }
         let diagnostic = Diagnostic::new(code::SYNTAX, span, message).label(mistake);
         self.fault(diagnostic.help(match mistake {
             BASES => "write 2#1010, 8#17, 16#FF, or a decimal number without `#`",
@@ -38,6 +42,24 @@ impl<'s> Lower<'s> {
     /// A whole number.
     pub(super) fn integer(&self, pair: &Pair<'_>, what: &str) -> Parsed<Literal<'s>> {
         self.literal_of(pair, LiteralKind::Integer, what)
+    }
+
+    /// A whole number, or a constant that stands for one.
+    pub(super) fn count(&self, pair: &Pair<'_>, what: &str) -> Parsed<Amount<'s>> {
+        self.amount(pair, LiteralKind::Integer, what)
+    }
+
+    /// A literal of one kind, or a constant that stands for one.
+    pub(super) fn amount(
+        &self,
+        pair: &Pair<'_>,
+        kind: LiteralKind,
+        what: &str,
+    ) -> Parsed<Amount<'s>> {
+        match pair.as_rule() {
+            Rule::name => self.name(pair).map(Amount::Constant),
+            _ => self.literal_of(pair, kind, what).map(Amount::Literal),
+        }
     }
 
     /// A literal of one kind.
@@ -58,6 +80,19 @@ impl<'s> Lower<'s> {
         };
         self.fault(Diagnostic::new(code::SYNTAX, literal.span, message).label(label).help(help))
     }
+}
+
+/// How a number with a base is written that is written as in C or as in an assembler.
+fn based_elsewhere(text: &str) -> Option<String> {
+    let lower = text.to_ascii_lowercase();
+    let prefixed = [("0x", 16), ("0b", 2), ("0o", 8)]
+        .into_iter()
+        .find_map(|(prefix, base)| Some((lower.strip_prefix(prefix)?.len(), base)));
+    let (digits, base) = match prefixed {
+        Some((length, base)) => (&text[text.len() - length..], base),
+        None => (text.strip_suffix(['h', 'H'])?, 16),
+    };
+    are_digits(digits, base).then(|| format!("{base}#{digits}"))
 }
 
 fn kind(text: &str) -> Result<LiteralKind, &'static str> {
@@ -134,14 +169,40 @@ mod tests {
         for text in ["0", "10", "1_000", "16#FF", "2#10_10", "8#17"] {
             assert_eq!(kind(text), Ok(LiteralKind::Integer), "{text}");
         }
-        for text in ["500ms", "1.3s", "2m30s", "T#1.5s", "T#2m_30s", "1_000us", "TIME#1d2h", "3ns"]
-        {
+        for text in [
+            "500ms",
+            "1.3s",
+            "2m30s",
+            "T#1.5s",
+            "T#2m_30s",
+            "1_000us",
+            "TIME#1d2h",
+            "Time#5s",
+            "3ns",
+        ] {
             assert_eq!(kind(text), Ok(LiteralKind::Time), "{text}");
         }
         for text in
             ["1__0", "10_", "3#1", "2#12", "16#", "1.5", "5x", "5S", "30s2m", "1.5m3s", "T#"]
         {
             assert!(kind(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn bases_of_other_languages_are_known() {
+        for (text, here) in [
+            ("0x1F", "16#1F"),
+            ("0XfF_00", "16#fF_00"),
+            ("0b101", "2#101"),
+            ("0o17", "8#17"),
+            ("1Fh", "16#1F"),
+        ] {
+            assert!(kind(text).is_err(), "{text}");
+            assert_eq!(based_elsewhere(text).as_deref(), Some(here), "{text}");
+        }
+        for text in ["0x", "0b2", "1G", "5x", "xh"] {
+            assert_eq!(based_elsewhere(text), None, "{text}");
         }
     }
 }

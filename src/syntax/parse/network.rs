@@ -3,7 +3,7 @@
 use super::grammar::{Pair, Rule};
 use super::items::next;
 use super::{Lower, Parsed};
-use crate::diagnostic::{Diagnostic, code};
+use crate::diagnostic::{Diagnostic, code, shortened};
 use crate::source::Span;
 use crate::syntax::ast::{
     Argument, ArgumentValue, Call, CoilAction, Connection, Edge, Element, ElementKind, ExprKind,
@@ -46,9 +46,14 @@ impl<'s> Lower<'s> {
             }
             Rule::coil => self.coil(pair)?,
             Rule::edge => {
-                let edge = if pair.as_str().starts_with('r') { Edge::Rise } else { Edge::Fall };
-                let (operand, _) = self.reference(next(&mut pair.into_inner()))?;
-                ElementKind::Edge { edge, operand }
+                let text = pair.as_str();
+                if text.starts_with(['!', '/']) {
+                    return self.negated_edge(span);
+                }
+                let edge = if text.starts_with('r') { Edge::Rise } else { Edge::Fall };
+                let operand = next(&mut pair.into_inner());
+                self.may_have_an_edge(&operand)?;
+                ElementKind::Edge { edge, operand: self.reference(operand)?.0 }
             }
             Rule::braces => self.braces(pair)?,
             Rule::constant => ElementKind::Constant(pair.as_str() == "1"),
@@ -84,6 +89,33 @@ impl<'s> Lower<'s> {
         let diagnostic = Diagnostic::new(code::SYNTAX, span, message)
             .label("`!` stands before a contact or `first_scan` only")
             .help("the element `not` inverts the power that reaches it");
+        self.fault(diagnostic)
+    }
+
+    /// Words that are elements look like variables, and are none.
+    fn may_have_an_edge(&self, operand: &Pair<'_>) -> Parsed<()> {
+        let span = self.span(operand);
+        let (what, help) = match &self.text[span.range()] {
+            word @ ("TRUE" | "FALSE") => (word, "use a variable, or first_scan for the first scan"),
+            word @ "first_scan" => (word, "it is on in one scan only: write it without an edge"),
+            word @ ("rising" | "falling" | "not") => {
+                (word, "for an edge of the power write `rising` or `falling` alone")
+            }
+            _ => return Ok(()),
+        };
+        let message = format!("an edge looks at a variable, `{what}` is none");
+        let diagnostic = Diagnostic::new(code::SYNTAX, span, message).label("not a variable");
+        self.fault(diagnostic.help(help))
+    }
+
+    fn negated_edge<T>(&self, span: Span) -> Parsed<T> {
+        let text = self.text[span.range()].trim_start_matches(['!', '/']).trim_ascii();
+        let diagnostic = Diagnostic::new(code::SYNTAX, span, "an edge contact cannot be negated")
+            .label("`!` stands before a contact or `first_scan` only")
+            .help(format!(
+                "write `{} not`, which inverts the power that the edge lets pass",
+                shortened(text)
+            ));
         self.fault(diagnostic)
     }
 

@@ -80,10 +80,10 @@ pub(super) fn statements(all: &[Statement<'_>]) -> String {
             format!("{}:={}", reference(input), expression(value))
         }
         StatementKind::Scan(None) => "scan".to_owned(),
-        StatementKind::Scan(Some(count)) => format!("scan {}", count.text),
-        StatementKind::Wait(time) => format!("wait {}", time.text),
+        StatementKind::Scan(Some(count)) => format!("scan {}", count.text()),
+        StatementKind::Wait(time) => format!("wait {}", time.text()),
         StatementKind::Pulse(input) => format!("pulse {}", reference(input)),
-        StatementKind::Repeat(count, body) => format!("{}*{{{}}}", count.text, statements(body)),
+        StatementKind::Repeat(count, body) => format!("{}*{{{}}}", count.text(), statements(body)),
         StatementKind::Reset => "reset".to_owned(),
         StatementKind::Expect(network) => format!("expect {}", series(network)),
     };

@@ -21,16 +21,16 @@ impl<'s> Lower<'s> {
         let mut parts = pair.into_inner();
         let kind = match rule {
             Rule::scan => {
-                let count = parts.next().map(|count| self.integer(&count, "a number of scans"));
+                let count = parts.next().map(|count| self.count(&count, "a number of scans"));
                 StatementKind::Scan(count.transpose()?)
             }
             Rule::wait => {
                 let time = next(&mut parts);
-                StatementKind::Wait(self.literal_of(&time, LiteralKind::Time, "a time")?)
+                StatementKind::Wait(self.amount(&time, LiteralKind::Time, "a time")?)
             }
             Rule::pulse => StatementKind::Pulse(self.reference(next(&mut parts))?.0),
             Rule::repeat => {
-                let count = self.integer(&next(&mut parts), "a number of times")?;
+                let count = self.count(&next(&mut parts), "a number of times")?;
                 let body = parts.map(|part| self.statement(part)).collect::<Parsed<Vec<_>>>()?;
                 StatementKind::Repeat(count, body)
             }

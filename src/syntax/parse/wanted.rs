@@ -12,6 +12,9 @@ pub(super) const FOUND: &str = ", found ";
 const ITEM_STARTS: &str = "an item starts with `ladder`, `clock`, `tick`, `input`, `output`, `var`, \
                            `const`, `rung` or `test`";
 
+pub(super) const STATEMENTS: &str = "statements are `x := 1`, `scan`, `wait 1s`, `pulse x`, \
+                                     `repeat 4 { }`, `reset`, `expect a !b`";
+
 impl Lower<'_> {
     /// The diagnostic for a `want_` rule at a place in the body of the item.
     pub(super) fn wanted(&self, rule: Rule, at: usize, body: &str) -> Diagnostic {
@@ -19,6 +22,9 @@ impl Lower<'_> {
         let start = self.base + at + rest.len() - rest.trim_ascii_start().len();
         let token = first_token(&self.text[start..self.base + body.len()]);
         let span = Span::new(start, start + token.len());
+        if let Some(diagnostic) = self.meant(rule, body, at, token) {
+            return diagnostic;
+        }
         let wanted = |phrase: &str| {
             let message = format!("expected {phrase}{FOUND}{}", found(token));
             Diagnostic::new(code::SYNTAX, span, message).label("not expected here")
@@ -114,6 +120,17 @@ fn help_about_token(rule: Rule, token: &str) -> Option<&'static str> {
         "==" | "=" if rule == Rule::want_operand => "`=` compares, `>=` is greater or equal",
         "!=" | "!" if is_in_expression(rule) => "in an expression `<>` is not equal, `NOT` inverts",
         "&&" | "&" | "||" | "|" if is_in_expression(rule) => "the operators are `AND`, `OR`, `XOR`",
+        "and" | "And" if is_in_expression(rule) => "operators have capital letters: `a AND b`",
+        "or" | "Or" if is_in_expression(rule) => "operators have capital letters: `a OR b`",
+        "xor" | "Xor" if is_in_expression(rule) => "operators have capital letters: `a XOR b`",
+        "mod" | "Mod" if is_in_expression(rule) => "operators have capital letters: `n MOD 3`",
+        "%" if is_in_expression(rule) => "the remainder of a division is `MOD`: `n MOD 3`",
+        "=" | "==" if rule == Rule::want_declaration_end => {
+            "an initial value stands after `:=`: `var total : INT := 3`"
+        }
+        "=" | "==" if matches!(rule, Rule::want_drive | Rule::want_argument_value) => {
+            "a value is given with `:=`"
+        }
         "[" if is_in_expression(rule) => {
             "only a name that is declared as an array has elements: `var w : WORD[3]`"
         }
@@ -180,10 +197,7 @@ fn help_about_place(rule: Rule) -> Option<&'static str> {
             "a connection is written `left -> n1 : a b`"
         }
         Rule::want_program_name => "a program starts with its name: `ladder conveyor`",
-        Rule::want_statement | Rule::want_repeat_end | Rule::want_drive => {
-            "statements are `x := 1`, `scan`, `wait 1s`, `pulse x`, `repeat 4 { }`, `reset`, \
-             `expect a !b`"
-        }
+        Rule::want_statement | Rule::want_repeat_end | Rule::want_drive => STATEMENTS,
         Rule::want_tick | Rule::want_time => "a time has a unit: 500ms, 1.3s, 2m30s",
         Rule::want_title => "a test has a title: `test \"the motor stops\"`",
         Rule::want_type => "the types are BOOL, INT, UINT, DINT, UDINT, WORD, DWORD, TIME",
@@ -201,7 +215,7 @@ fn help_about_place(rule: Rule) -> Option<&'static str> {
     })
 }
 
-fn is_in_expression(rule: Rule) -> bool {
+pub(super) fn is_in_expression(rule: Rule) -> bool {
     matches!(
         rule,
         Rule::want_operand

@@ -3,7 +3,8 @@
 use super::script::Style;
 use super::{Printer, Separator};
 use crate::syntax::ast::{
-    Constant, Declarator, Header, Initial, Literal, Quantity, TypeName, VariableKind, Variables,
+    Amount, Constant, Declarator, Header, Initial, Literal, Quantity, TypeName, VariableKind,
+    Variables,
 };
 
 /// Where names start, after the longest word.
@@ -102,8 +103,15 @@ impl<'s> Printer<'s> {
         self.name(&ty.name);
         if let Some(length) = &ty.length {
             self.token("[");
-            self.literal(length);
+            self.amount(length);
             self.token("]");
+        }
+    }
+
+    pub(super) fn amount(&mut self, amount: &Amount<'s>) {
+        match amount {
+            Amount::Literal(literal) => self.literal(literal),
+            Amount::Constant(name) => self.name(name),
         }
     }
 

@@ -4,7 +4,7 @@
 use super::script::Style;
 use super::{INDENT, Printer, Separator};
 use crate::source::Span;
-use crate::syntax::ast::{Literal, Statement, StatementKind, Test};
+use crate::syntax::ast::{Amount, Statement, StatementKind, Test};
 
 /// Between statements on one line.
 const BLANKS: usize = 2;
@@ -52,8 +52,8 @@ impl<'s> Printer<'s> {
                 self.expression(value);
             }
             StatementKind::Scan(None) => self.token("scan"),
-            StatementKind::Scan(Some(literal)) => self.with_literal("scan", literal),
-            StatementKind::Wait(literal) => self.with_literal("wait", literal),
+            StatementKind::Scan(Some(count)) => self.with_amount("scan", count),
+            StatementKind::Wait(time) => self.with_amount("wait", time),
             StatementKind::Pulse(input) => {
                 self.token("pulse");
                 self.script.blank();
@@ -69,18 +69,18 @@ impl<'s> Printer<'s> {
         self.script.close();
     }
 
-    fn with_literal(&mut self, word: &str, literal: &Literal<'s>) {
+    fn with_amount(&mut self, word: &str, amount: &Amount<'s>) {
         self.token(word);
         self.script.blank();
-        self.literal(literal);
+        self.amount(amount);
     }
 
     /// On one line if the author has it so and it fits.
-    fn repeat(&mut self, count: &Literal<'s>, body: &[Statement<'s>], whole: Span) {
+    fn repeat(&mut self, count: &Amount<'s>, body: &[Statement<'s>], whole: Span) {
         self.script.open(Style::All, 0, INDENT);
         self.token("repeat");
         self.script.blank();
-        self.literal(count);
+        self.amount(count);
         self.script.blank();
         let start = self.reader.position();
         self.token("{");

@@ -137,7 +137,11 @@ impl Generator {
                 let element = if self.random.chance(4) { self.target_element() } else { None };
                 let (target, ty) = element.unwrap_or_else(|| self.random.pick(&self.targets));
                 let value = self.number(ty, 2);
-                format!("{{ {target} := {value} }}")
+                // A constant is an error where it is out of a parameter's range.
+                match target.contains('.') && !self.changes(&value) && !is_small(&value) {
+                    true => format!("{{ {target} := {target} + {value} }}"),
+                    false => format!("{{ {target} := {value} }}"),
+                }
             }
             3 if !self.instances.is_empty() => {
                 format!("(R {})", self.random.pick(&self.instances))
@@ -150,4 +154,16 @@ impl Generator {
             }
         }
     }
+
+    /// True for an expression with a variable in it.
+    fn changes(&self, expression: &str) -> bool {
+        let names = self.bits.iter().chain(self.numbers.iter().map(|(name, _)| name));
+        names.into_iter().any(|name| expression.contains(name.as_str()))
+    }
+}
+
+/// True for a literal that every parameter takes.
+fn is_small(expression: &str) -> bool {
+    let digits = expression.strip_suffix("ms").unwrap_or(expression);
+    digits.parse().is_ok_and(|number: u32| (1..1000).contains(&number))
 }
