@@ -179,6 +179,15 @@ fn random_programs_on_the_smallest_machines() {
     assert!(ran > 50, "{ran}");
 }
 
+/// A rung that is given up before it comes to its block does not hide that.
+#[test]
+fn a_block_that_reads_itself_is_refused_with_a_word() {
+    let text = "ladder seal input a output y
+        rung [ a | t.EN ] t:AB_TON(PRE := 5, SIZE := DINT) rung t.EN (y)";
+    let told = compile(text).map(|_| ()).unwrap_err();
+    assert!(told.contains("cannot do the block AB_TON"), "{told}");
+}
+
 /// The host reads and writes it, so the smallest processor for the program has it.
 #[test]
 fn a_variable_that_no_rung_names_needs_its_place() {

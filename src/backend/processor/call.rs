@@ -49,8 +49,8 @@ impl Compiler<'_> {
             "R_TRIG" | "F_TRIG" => &["Q", "was"],
             "SR" | "RS" | "TON" | "TOF" | "TP" | "TS" | "TT" | "T1_0" | "T0_1" | "UC" | "DC"
             | "DRUM" | "SHL" | "SHR" => &["Q"],
-            // The call will be reported.
-            _ => return Ok(()),
+            // Here and not at the call: a rung that reads the block is given up before it calls it.
+            _ => return Err(self.cannot_call(id, kind)),
         };
         let (class, count, first) = match kind {
             "DRUM" => (Some(UnitClass::Drum), "ACC", FIRST_DRUM),
@@ -111,13 +111,15 @@ impl Compiler<'_> {
             "DRUM" => self.function(call, power, Operation::Drum)?,
             "SHL" => self.shift(call, power, Operation::ShiftLeft)?,
             "SHR" => self.shift(call, power, Operation::ShiftRight)?,
-            kind => {
-                let span = self.instance(call.instance).span;
-                let label = format!("of the kind {kind}");
-                return Err(self.cannot(span, &format!("the block {kind}"), label));
-            }
+            kind if kind == self.instance(call.instance).shape.block.name => return Err(Reported),
+            second => return Err(self.cannot_call(call.instance, second)),
         };
         Ok(Power::Drawn(Tree::on(q)))
+    }
+
+    fn cannot_call(&mut self, id: InstanceId, kind: &str) -> Reported {
+        let span = self.instance(id).span;
+        self.cannot(span, &format!("the block {kind}"), format!("of the kind {kind}"))
     }
 
     /// The contacts of a `BOOL` parameter: those of the call, or the member that the program

@@ -104,8 +104,10 @@ pub fn compile_for(
         failed: false,
         span: Span::default(),
     };
-    for (id, _) in program.instances.iter() {
-        // A flag that is missing has been reported.
+    // The processor has dividers of its own.
+    let named = program.instances.iter().filter(|(_, instance)| !instance.is_hidden);
+    for (id, _) in named {
+        // What stands against it has been reported.
         let _ = compiler.prepare(id);
     }
     for (index, rung) in program.rungs.iter().enumerate() {
