@@ -16,6 +16,7 @@ mod memory;
 mod net;
 mod parameters;
 mod power;
+mod reading;
 mod record;
 mod register;
 mod reset;
