@@ -77,7 +77,8 @@ impl<'s> Checker<'s> {
             }
             ast::ExprKind::Unary(_, operand) => {
                 let operand = self.exact(operand)?;
-                Ok(Exact { value: -operand.value, ..operand })
+                // No time is as long as the number that has no opposite.
+                Ok(Exact { value: operand.value.saturating_neg(), ..operand })
             }
             ast::ExprKind::Binary(operator, a, b) => {
                 let values = (self.exact(a), self.exact(b));
