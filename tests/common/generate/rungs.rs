@@ -138,7 +138,8 @@ impl Generator {
                 let (target, ty) = element.unwrap_or_else(|| self.random.pick(&self.targets));
                 let value = self.number(ty, 2);
                 // A constant is an error where it is out of a parameter's range.
-                match target.contains('.') && !self.changes(&value) && !is_small(&value) {
+                let is_member = target.contains('.') && !target.contains('[');
+                match is_member && !self.changes(&value) && !is_small(&value) {
                     true => format!("{{ {target} := {target} + {value} }}"),
                     false => format!("{{ {target} := {value} }}"),
                 }
