@@ -162,7 +162,7 @@ fn what_no_ladder_draws_is_told() {
     };
     assert!(ladder(&[0x0801, 0x0402, 0xA500]).unwrap().ends_with("rung X1 X2 ( Y256 )\n"));
     for (code, told) in [
-        (&[0xA500][..], "no contact stands before the output 000"),
+        (&[0xA500][..], "no contact stands before word 000, an output"),
         (&[0x0401], "the circuit from word 000 on has no output"),
         (&[0x0401, 0xA500, 0x0402, 0xD000, 0xCC00, 0x9100], "word 003 belongs to a function"),
     ] {

@@ -1,11 +1,10 @@
 //! On which base a number is thought of: what stands beside `16#FF` is better shown so too.
 
 use super::Checker;
+use super::expression::relation;
 use super::names::Entity;
 use crate::model::VariableId;
-use crate::syntax::ast::{
-    Accessor, BinaryOperator, ElementKind, Expr, ExprKind, LiteralKind, Reference, Series,
-};
+use crate::syntax::ast::{Accessor, ElementKind, Expr, ExprKind, LiteralKind, Reference, Series};
 
 impl<'s> Checker<'s> {
     /// The variables of an expectation that are compared with a number on another base than 10.
@@ -24,9 +23,8 @@ impl<'s> Checker<'s> {
     }
 
     fn note_bases(&self, expr: &Expr<'s>, bases: &mut Vec<(VariableId, u32)>) {
-        let is_relation = |operator: &BinaryOperator| matches!(operator.binding(), 4 | 5);
         match &expr.kind {
-            ExprKind::Binary(operator, a, b) if is_relation(operator) => {
+            ExprKind::Binary(operator, a, b) if relation(*operator).is_some() => {
                 let Some(base) = written_base(a).or_else(|| written_base(b)) else { return };
                 for_each_reference(expr, &mut |reference| {
                     bases.extend(self.declared(reference).map(|variable| (variable, base)));

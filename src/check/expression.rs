@@ -29,7 +29,8 @@ pub(super) fn bitwise(operator: BinaryOperator) -> Option<BinaryOp> {
     }
 }
 
-fn relation(operator: BinaryOperator) -> Option<Relation> {
+/// What an operator compares for.
+pub(super) fn relation(operator: BinaryOperator) -> Option<Relation> {
     match operator {
         BinaryOperator::Equal => Some(Relation::Equal),
         BinaryOperator::NotEqual => Some(Relation::NotEqual),

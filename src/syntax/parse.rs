@@ -324,3 +324,7 @@ impl<'s> Lower<'s> {
 #[cfg(test)]
 #[path = "parse_tests.rs"]
 mod tests;
+
+#[cfg(test)]
+#[path = "parse_strain_tests.rs"]
+mod strain_tests;

@@ -105,8 +105,8 @@ pub fn compile_for(
         span: Span::default(),
     };
     // The processor has dividers of its own.
-    let named = program.instances.iter().filter(|(_, instance)| !instance.is_hidden);
-    for (id, _) in named {
+    let called = program.instances.iter().filter(|(_, instance)| !instance.is_hidden);
+    for (id, _) in called {
         // What stands against it has been reported.
         let _ = compiler.prepare(id);
     }

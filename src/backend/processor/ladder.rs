@@ -16,7 +16,7 @@ pub enum NotDrawn {
     Links(usize),
     /// The circuit that begins with the word at this address has no output.
     NoOutput(usize),
-    /// The output at this address has no contact in front of it.
+    /// The word at this address is an output with no contact in front of it.
     NoCircuit(usize),
     /// The word at this address belongs to a function.
     Function(usize),
@@ -35,7 +35,9 @@ impl fmt::Display for NotDrawn {
                 write!(f, "the circuit from word {at:03X} on is not of series and parallel")
             }
             NotDrawn::NoOutput(at) => write!(f, "the circuit from word {at:03X} on has no output"),
-            NotDrawn::NoCircuit(at) => write!(f, "no contact stands before the output {at:03X}"),
+            NotDrawn::NoCircuit(at) => {
+                write!(f, "no contact stands before word {at:03X}, an output")
+            }
             NotDrawn::Function(at) => write!(f, "word {at:03X} belongs to a function"),
             NotDrawn::Illegal(at) => write!(f, "word {at:03X} means nothing"),
             NotDrawn::Register(register) => write!(f, "register {register} is not 0 at reset"),
