@@ -1,5 +1,5 @@
 //! Damaged programs, images and stimuli, and random words: whatever a file holds, reading it ends
-//! with a result or with findings. `PROPTEST_CASES` says how many of each; `fuzz/README.md` tells
+//! with a result or with findings. `PROPTEST_CASES` says how many of each; `docs/trust.md` tells
 //! of the long run.
 
 mod common;

@@ -123,3 +123,14 @@ fn a_long_path_conducts_both_ways_and_is_as_short_as_a_series() {
         assert!(!both.scan(&contacts));
     }
 }
+
+/// Three ways lead to a node and two away from it: what reaches it is computed once.
+#[test]
+fn a_node_where_ways_meet_is_computed_once() {
+    let text = "ladder meeting input a, b, c, d, e, f, g, h, i output y rung net {
+        left -> hub : a   left -> one : b   left -> two : c   one -> hub : d   two -> hub : e
+        hub -> right : f  hub -> three : g  three -> right : h  two -> three : i } (y)";
+    let equations = hotrail::equations::lower(&analyze(text));
+    // 9 reads; hub is a | b d | c e, y is hub f | (hub g | c i) h.
+    assert_eq!(equations.exprs.len(), 9 + 3 + 6);
+}

@@ -51,6 +51,18 @@ fn loops_keep_the_order_of_the_text_and_come_in_their_place() {
     assert_eq!(order("rung y (z) rung m !y (x) rung b !x (y) rung a (m)"), [4, 2, 3, 1]);
 }
 
+/// What a rung reads twice, or reads after it has written it, is told once or not at all.
+#[test]
+fn a_change_is_told_once() {
+    let text = "ladder demo input a, b output x, y, z
+        rung [ x a | !x b ] (y)  rung a (x)  rung b (S z) z (y)";
+    let order = by_dataflow(&mut analyze(text));
+    assert_eq!(order.rungs, [1, 0, 2]);
+    let [change] = &order.changes[..] else { panic!("{:?}", order.changes) };
+    assert_eq!((change.rung, change.before, change.after), (0, None, Some(1)));
+    assert!(order.feedback.is_empty());
+}
+
 #[test]
 fn what_is_not_named_does_not_differ() {
     let mut changed = 0;

@@ -164,6 +164,115 @@ fn random_programs() {
     assert!(tally.skipped * 4 < tally.programs, "{} do not fit", tally.skipped);
 }
 
+/// A network of a few inner nodes, with a contact for each connection.
+fn network(random: &mut Rng) -> (String, usize) {
+    let nodes = 2 + random.usize(1..4);
+    let name = |node: usize| match node {
+        0 => "left".to_owned(),
+        1 => "right".to_owned(),
+        _ => format!("n{node}"),
+    };
+    let mut connections = String::new();
+    let contacts = random.usize(2..9);
+    for contact in 0..contacts {
+        let from = random.usize(..nodes);
+        let to = (from + random.usize(1..nodes)) % nodes;
+        let arrow = if random.bool() { "->" } else { "<->" };
+        connections += &format!("{} {arrow} {} : x{contact}\n", name(from), name(to));
+    }
+    let inputs: Vec<String> = (0..contacts).map(|contact| format!("x{contact}")).collect();
+    let text = format!(
+        "ladder demo input {} output y rung net {{ {connections} }} (y)",
+        inputs.join(", ")
+    );
+    (text, contacts)
+}
+
+#[test]
+fn random_networks_conduct_as_in_the_evaluator() {
+    let mut random = Rng::with_seed(3);
+    let mut conducting = 0;
+    for round in 0..400 {
+        let (text, contacts) = network(&mut random);
+        let (program, image) = match compile(&text) {
+            Ok(both) => both,
+            // No path leads from one end to the other.
+            Err(findings) if findings.contains("E0305") => continue,
+            Err(findings) => panic!("{findings}"),
+        };
+        let mut evaluator = Evaluator::new(&program);
+        let mut machine = Machine::new(&image.rom).unwrap();
+        let inputs: Vec<VariableId> = program.with_role(Role::Input).map(|(id, _)| id).collect();
+        let y = Names::of(&program).variable("y").unwrap();
+        for row in 0..1_u32 << contacts {
+            for (bit, &input) in inputs.iter().enumerate() {
+                evaluator.drive(input, (row >> bit & 1).into());
+                machine.drive(bit as u16, row >> bit & 1 == 1);
+            }
+            evaluator.scan(false);
+            machine.scan(false);
+            assert_eq!(machine.bit(256), evaluator.value(y) == 1, "{round}: {text}, {row:b}");
+            conducting += u32::from(machine.bit(256));
+        }
+    }
+    assert!(conducting > 5000, "{conducting}");
+}
+
+/// What stands in series or in parallel, or leads nowhere, needs no bridge and no flag.
+#[test]
+fn a_network_that_is_no_bridge_is_as_short_as_lists() {
+    for (contacts, network) in [
+        (2, "left -> n1 : a  n1 -> right : b"),
+        (2, "n1 -> right : b  left -> n1 : a"),
+        (2, "n1 <-> left : a  right <-> n1 : b"),
+        (3, "left -> n1 : a  left -> n1 : b  n1 -> right : c"),
+        (3, "left <-> n1 : a  n1 <-> n2 : b  n2 <-> right : c"),
+        (3, "left -> n1 : a  n1 -> n2 : b  n2 -> right : c  n2 -> n3 : d  n2 <-> n4 : e"),
+        (1, "left -> right : a  left -> n1 : b  n1 -> left : c"),
+    ] {
+        let text = format!("ladder demo input a, b, c, d, e output y rung net {{ {network} }} (y)");
+        let (_, image) = compile(&text).unwrap_or_else(|findings| panic!("{findings}"));
+        assert_eq!(image.rom.code.len(), contacts + 2, "{network}");
+    }
+}
+
+/// No word reaches whether a delay or a pulse is on its way.
+#[test]
+fn a_block_that_runs_without_power_cannot_be_reset() {
+    for (block, can) in [
+        ("TON(PT := 500ms)", true),
+        ("TOF(PT := 500ms)", false),
+        ("TP(PT := 500ms)", false),
+        ("TT(MODE := ON, PV := 5, EN := b)", true),
+        ("TT(MODE := OFF, PV := 5, EN := b)", false),
+        ("TS(MODE := INTERVAL, PV := 5, EN := b)", false),
+    ] {
+        let text =
+            format!("ladder demo tick 100ms input a, b output y rung a t:{block} (y) rung b (R t)");
+        let told = compile(&text).map(|_| ()).err().unwrap_or_default();
+        assert_eq!(told.contains("a reset coil on a running"), !can, "{block}: {told}");
+        assert_eq!(told.is_empty(), can, "{block}: {told}");
+    }
+}
+
+/// A bridge has to be looked at before a later branch writes one of its contacts.
+#[test]
+fn what_a_bridge_looks_at_is_taken_before_it_is_written() {
+    for contact in ["x", "b", "c"] {
+        let bridge = ["x", "a", "b", "c", "d"].map(|name| if name == contact { "m" } else { name });
+        let [one, two, middle, three, four] = bridge;
+        let text = format!(
+            "ladder taken input x, a, b, c, d, e output y var m rung [
+                net {{ left -> n1 : {one}  left -> n2 : {two}  n1 <-> n2 : {middle}
+                      n1 -> right : {three}  n2 -> right : {four} }}
+                | e (m) ] (y)"
+        );
+        let (program, image) = compile(&text).unwrap_or_else(|findings| panic!("{findings}"));
+        let wrong = emulated::difference(&program, &image, 500, Rng::with_seed(1));
+        assert_eq!(wrong, None, "{contact}");
+    }
+}
+
 /// With fewer registers words have other places, with shallow stacks lists go into flags.
 #[test]
 fn random_programs_on_the_smallest_machines() {

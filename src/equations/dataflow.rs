@@ -188,14 +188,12 @@ impl Uses {
     }
 }
 
-/// For each rung the number of its loop: two rungs are in one if each comes behind the other.
+/// For each rung the number of its loop: two rungs are in one if each comes behind the other. Rungs that are
+/// in no edge may have any.
 fn loops(behind: &[Vec<u32>]) -> Vec<usize> {
     let edges =
         (0..).zip(behind).flat_map(|(rung, others)| others.iter().map(move |&to| (rung, to)));
-    let mut graph = DiGraph::<(), ()>::from_edges(edges);
-    while graph.node_count() < behind.len() {
-        graph.add_node(());
-    }
+    let graph = DiGraph::<(), ()>::from_edges(edges);
     let mut loops = vec![0; behind.len()];
     for (number, members) in kosaraju_scc(&graph).into_iter().enumerate() {
         members.into_iter().for_each(|rung| loops[rung.index()] = number);

@@ -165,16 +165,11 @@ impl<'p> Expansion<'p> {
         if self.sequence.is_none() || self.made_in[index(expr)] == self.stage {
             return net;
         }
-        // Only reads are shared by rungs.
-        let ExprOp::Read { variable, writer } = self.equations.exprs[expr].op else { return net };
-        let is_own = |sequence: &Sequence, step: u32| {
-            let step = &self.equations.steps[step as usize];
-            sequence.stage_of(self.program, step) == self.stage
-        };
-        match (&self.sequence, writer) {
-            // Of other steps of the stage only units of time are read, which are written once.
-            (Some(sequence), Some(step)) if is_own(sequence, step) => self.newest(variable),
-            _ => self.before(variable),
+        // Only reads are shared by rungs. A rung stands in a later stage than what it reads is written in; units of
+        // time, which stand in no rung, are first read in the first stage.
+        match self.equations.exprs[expr].op {
+            ExprOp::Read { variable, .. } => self.before(variable),
+            _ => net,
         }
     }
 
