@@ -1,5 +1,7 @@
 //! Times and frequencies as people write them.
 
+/// The clock of a program that names none, in Hz.
+pub const DEFAULT_CLOCK_HZ: u64 = 12_000_000;
 /// The fastest clock of a board, in Hz.
 pub const FASTEST_CLOCK_HZ: u64 = 1_000_000_000_000;
 /// The longest tick, in nanoseconds: an hour.

@@ -218,9 +218,9 @@ fn random_networks_conduct_as_in_the_evaluator() {
     assert!(conducting > 5000, "{conducting}");
 }
 
-/// What stands in series or in parallel, or leads nowhere, needs no bridge and no flag.
+/// Without flags, if it is lists and bridges; what leads nowhere has none.
 #[test]
-fn a_network_that_is_no_bridge_is_as_short_as_lists() {
+fn a_network_has_a_word_for_each_contact() {
     for (contacts, network) in [
         (2, "left -> n1 : a  n1 -> right : b"),
         (2, "n1 -> right : b  left -> n1 : a"),
@@ -229,8 +229,16 @@ fn a_network_that_is_no_bridge_is_as_short_as_lists() {
         (3, "left <-> n1 : a  n1 <-> n2 : b  n2 <-> right : c"),
         (3, "left -> n1 : a  n1 -> n2 : b  n2 -> right : c  n2 -> n3 : d  n2 <-> n4 : e"),
         (1, "left -> right : a  left -> n1 : b  n1 -> left : c"),
+        // A bridge, and one with a way past it.
+        (5, "left -> n1 : a  left -> n2 : b  n1 <-> n2 : c  n1 -> right : d  n2 -> right : e"),
+        (
+            6,
+            "left -> n1 : a  left -> n2 : b  n1 <-> n2 : c  n1 -> right : d  n2 -> right : e
+             left -> right : f",
+        ),
     ] {
-        let text = format!("ladder demo input a, b, c, d, e output y rung net {{ {network} }} (y)");
+        let text =
+            format!("ladder demo input a, b, c, d, e, f output y rung net {{ {network} }} (y)");
         let (_, image) = compile(&text).unwrap_or_else(|findings| panic!("{findings}"));
         assert_eq!(image.rom.code.len(), contacts + 2, "{network}");
     }
@@ -357,14 +365,14 @@ fn a_full_processor_takes_no_more() {
         outputs(count) + &lines(count, |n| format!("rung a b{n}:{call} (y{n})"))
     };
     type Filled<'a> = (usize, &'a str, &'a dyn Fn(usize) -> String);
-    let programs: [Filled; 8] = [
+    let programs: [Filled; 9] = [
         (64, "timers and counters", &|count| blocks(count, "TON(PT := 1s)")),
         (16, "drums", &|count| blocks(count, "DRUM(PV := 4, EN := a, TAPS := [1])")),
         (32, "shift functions", &|count| {
             format!("var w : WORD\n{}", blocks(count, "SHL(REG := w, DATA := a)"))
         }),
-        (255, "inputs", &|count| {
-            lines(count, |n| format!("input x{n}")) + &outputs(1) + "rung a x254 (y0)\n"
+        (256, "inputs", &|count| {
+            lines(count - 1, |n| format!("input x{n}")) + &outputs(1) + "rung a x254 (y0)\n"
         }),
         (256, "outputs", &|count| outputs(count) + &rungs(count)),
         (511, "flags", &|count| lines(count, |n| format!("var v{n}\nrung a (v{n})"))),
@@ -375,6 +383,14 @@ fn a_full_processor_takes_no_more() {
                 format!("rung a d{n}:DRUM(PV := 4, EN := a, TAPS := [{taps}])")
             };
             lines(14, |n| drum(n, 8)) + &drum(14, count - 14 * 9 - 1)
+        }),
+        // Behind the counts of units and drums, but for the last one.
+        (2047 - 512 - 64 - 16, "registers for words", &|count| {
+            format!(
+                "var v : WORD[432] var w : WORD[{}]\n{}rung v[0].1 w[0].1 (y0)\n",
+                count - 432,
+                outputs(1)
+            )
         }),
         (1024, "words", &|count| {
             outputs(1)
@@ -394,6 +410,24 @@ fn a_full_processor_takes_no_more() {
             findings.into_iter().map(|found| found.message).collect::<String>()
         };
         assert_eq!(messages(most), "", "{what}");
-        assert!(messages(most + 1).contains(what), "{what}: {}", messages(most + 1));
+        let told = format!("needs {} {what}, the ladder processor has {most}", most + 1);
+        assert!(messages(most + 1).contains(&told), "{told}: {}", messages(most + 1));
     }
+}
+
+/// The last bit of an image is always 1.
+#[test]
+fn the_constant_of_a_small_image_is_no_flag() {
+    let sizes = Sizes { image_bits: 32, ..Sizes::default() };
+    let messages = |count: usize| {
+        let text = format!(
+            "ladder small input a\n{}",
+            lines(count, |n| format!("var v{n}\nrung a (v{n})"))
+        );
+        let program = analyze("test.ladder", &text).unwrap();
+        let findings = processor::compile_for(&program, &[], sizes).err().unwrap_or_default();
+        findings.into_iter().map(|found| found.message).collect::<String>()
+    };
+    assert_eq!(messages(15), "");
+    assert_eq!(messages(16), "the program needs 16 flags, the ladder processor has 15");
 }

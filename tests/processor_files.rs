@@ -151,6 +151,17 @@ fn an_image_draws_the_ladder_that_it_came_from() {
     }
 }
 
+/// A tick that is shorter than a clock where no clock is named.
+#[test]
+fn a_tick_of_nanoseconds_is_drawn_with_a_clock() {
+    for tick_ns in [1, 2, 7, 83, 84, 1_000_000, 3_600_000_000_000] {
+        let rom = Rom { code: vec![0x0401, 0xA500, 0xBC00], tick_ns, ..Rom::default() };
+        let text = processor::ladder(&rom, "again").unwrap();
+        assert_eq!(image(&text).rom.tick_ns, tick_ns, "{text}");
+        assert_eq!(text.contains("clock"), tick_ns < 84, "{text}");
+    }
+}
+
 /// The same ladder in other words, and words that no ladder draws.
 #[test]
 fn what_no_ladder_draws_is_told() {
@@ -206,6 +217,10 @@ fn the_record_beside_an_image_counts() {
         code == 1 && text.contains("slow_ihex.txt: the first lines tell of `TICK_NS 0`"),
         "{text}"
     );
+    // The longest tick is an hour.
+    change("slow_ihex.txt", "TICK_NS 0", "TICK_NS 3600000000001");
+    let (code, text) = hotrail(path, &["rom", "out/slow.ihex"]);
+    assert!(code == 1 && text.contains("`TICK_NS 3600000000001`, which no processor"), "{text}");
     change("slow.hex", "OUTPUTS 2", "OUTPUTS 300");
     let (code, text) = hotrail(path, &["rom", "out/slow.hex"]);
     assert!(code == 1 && text.contains("`OUTPUTS 300`, which no processor has"), "{text}");

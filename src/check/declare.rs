@@ -14,7 +14,6 @@ use crate::types::Type;
 
 /// Characters of the longest program name.
 const LONGEST_PROGRAM_NAME: usize = 64;
-const DEFAULT_CLOCK_HZ: u64 = 12_000_000;
 const DEFAULT_TICK_NS: u64 = 1_000_000;
 
 impl<'s> Checker<'s> {
@@ -77,7 +76,7 @@ impl<'s> Checker<'s> {
             }
         }
         let up_to = |most: u64| move |value: &i128| (1..=i128::from(most)).contains(value);
-        self.program.clock_hz = DEFAULT_CLOCK_HZ;
+        self.program.clock_hz = quantity::DEFAULT_CLOCK_HZ;
         self.program.tick_ns = DEFAULT_TICK_NS;
         if let Some(quantity) = clock {
             match quantity::frequency_hz(quantity.text).filter(up_to(quantity::FASTEST_CLOCK_HZ)) {

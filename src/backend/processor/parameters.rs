@@ -4,6 +4,7 @@ use std::fmt::{self, Display, Formatter};
 
 use super::rom::{Pins, Rom};
 use super::sizes::Sizes;
+use crate::quantity;
 
 /// What the line begins with.
 const MARK: &str = "ladder processor: ";
@@ -51,10 +52,11 @@ impl Parameters {
     fn set(&mut self, pair: &str) -> Option<()> {
         let (name, value) = pair.split_once(' ')?;
         let pins = || value.parse().ok().filter(|pins| *pins <= MOST_PINS);
+        let ticks = 1..=quantity::LONGEST_TICK_NS;
         match name {
             "INPUTS" => self.inputs = Some(pins()?),
             "OUTPUTS" => self.outputs = Some(pins()?),
-            "TICK_NS" => self.tick_ns = Some(value.parse().ok().filter(|tick| *tick > 0)?),
+            "TICK_NS" => self.tick_ns = Some(value.parse().ok().filter(|tick| ticks.contains(tick))?),
             _ => self.sizes.set(name, value.parse().ok()?).ok()?,
         }
         Some(())
