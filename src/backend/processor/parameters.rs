@@ -56,7 +56,9 @@ impl Parameters {
         match name {
             "INPUTS" => self.inputs = Some(pins()?),
             "OUTPUTS" => self.outputs = Some(pins()?),
-            "TICK_NS" => self.tick_ns = Some(value.parse().ok().filter(|tick| ticks.contains(tick))?),
+            "TICK_NS" => {
+                self.tick_ns = Some(value.parse().ok().filter(|tick| ticks.contains(tick))?)
+            }
             _ => self.sizes.set(name, value.parse().ok()?).ok()?,
         }
         Some(())
