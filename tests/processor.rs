@@ -263,6 +263,18 @@ fn a_block_that_runs_without_power_cannot_be_reset() {
     }
 }
 
+#[test]
+fn a_preset_that_changes_is_refused_by_its_reason() {
+    for (preset, told) in [("n", "a variable preset of a drum"), ("n + 1", "such a preset")] {
+        let text = format!(
+            "ladder demo input a input n : INT output y
+             rung a d:DRUM(PV := {preset}, EN := a, TAPS := [1]) (y)"
+        );
+        let findings = compile(&text).map(|_| ()).unwrap_err();
+        assert!(findings.contains(&format!("cannot do {told}")), "{findings}");
+    }
+}
+
 /// A bridge has to be looked at before a later branch writes one of its contacts.
 #[test]
 fn what_a_bridge_looks_at_is_taken_before_it_is_written() {
