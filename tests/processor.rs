@@ -6,10 +6,10 @@ use common::emulated::{self, compile};
 use common::{amount, analyze, checks, lp, relay, trees};
 use fastrand::Rng;
 use hotrail::backend::processor::{
-    self, Bridge, Contact, Machine, Operation, Sizes, Tree, Word, decode, encode,
+    self, Bridge, Contact, Image, Machine, Operation, Sizes, Tree, Word, decode, encode,
 };
 use hotrail::eval::Evaluator;
-use hotrail::model::{Names, Role, VariableId};
+use hotrail::model::{Names, Program, Role, VariableId};
 
 /// The paper's own order of contacts and its coil 316.
 #[test]
@@ -76,6 +76,26 @@ fn text_of(shape: &Shape, next: &mut usize) -> String {
     }
 }
 
+/// Runs a program of so many contacts and one output in all their states; in how many it is on.
+fn in_all_states(program: &Program, image: &Image, contacts: usize, text: &str) -> u32 {
+    let mut evaluator = Evaluator::new(program);
+    let mut machine = Machine::new(&image.rom).unwrap();
+    let inputs: Vec<VariableId> = program.with_role(Role::Input).map(|(id, _)| id).collect();
+    let y = Names::of(program).variable("y").unwrap();
+    let mut on = 0;
+    for row in 0..1_u32 << contacts {
+        for (bit, &input) in inputs.iter().enumerate() {
+            evaluator.drive(input, (row >> bit & 1).into());
+            machine.drive(bit as u16, row >> bit & 1 == 1);
+        }
+        evaluator.scan(false);
+        machine.scan(false);
+        assert_eq!(machine.bit(256), evaluator.value(y) == 1, "{text}, inputs {row:b}");
+        on += u32::from(machine.bit(256));
+    }
+    on
+}
+
 #[test]
 fn every_series_parallel_rung_of_up_to_six_contacts_conducts_where_it_is_drawn_to() {
     let mut rungs = 0;
@@ -91,20 +111,7 @@ fn every_series_parallel_rung_of_up_to_six_contacts_conducts_where_it_is_drawn_t
             let text = format!("ladder all input {} output y rung {network} (y)", names.join(", "));
             let (program, image) = compile(&text).unwrap_or_else(|findings| panic!("{findings}"));
             assert_eq!(image.rom.code.len(), contacts + 2, "{network}: one word a contact");
-            let mut evaluator = Evaluator::new(&program);
-            let mut machine = Machine::new(&image.rom).unwrap();
-            let inputs: Vec<VariableId> =
-                program.with_role(Role::Input).map(|(id, _)| id).collect();
-            for row in 0..1_u32 << contacts {
-                for (bit, &input) in inputs.iter().enumerate() {
-                    evaluator.drive(input, (row >> bit & 1).into());
-                    machine.drive(bit as u16, row >> bit & 1 == 1);
-                }
-                evaluator.scan(false);
-                machine.scan(false);
-                let y = Names::of(&program).variable("y").unwrap();
-                assert_eq!(machine.bit(256), evaluator.value(y) == 1, "{network}, inputs {row:b}");
-            }
+            in_all_states(&program, &image, contacts, &text);
             rungs += 1;
         }
     }
@@ -192,7 +199,7 @@ fn network(random: &mut Rng) -> (String, usize) {
 fn random_networks_conduct_as_in_the_evaluator() {
     let mut random = Rng::with_seed(3);
     let mut conducting = 0;
-    for round in 0..400 {
+    for _ in 0..400 {
         let (text, contacts) = network(&mut random);
         let (program, image) = match compile(&text) {
             Ok(both) => both,
@@ -200,20 +207,7 @@ fn random_networks_conduct_as_in_the_evaluator() {
             Err(findings) if findings.contains("E0305") => continue,
             Err(findings) => panic!("{findings}"),
         };
-        let mut evaluator = Evaluator::new(&program);
-        let mut machine = Machine::new(&image.rom).unwrap();
-        let inputs: Vec<VariableId> = program.with_role(Role::Input).map(|(id, _)| id).collect();
-        let y = Names::of(&program).variable("y").unwrap();
-        for row in 0..1_u32 << contacts {
-            for (bit, &input) in inputs.iter().enumerate() {
-                evaluator.drive(input, (row >> bit & 1).into());
-                machine.drive(bit as u16, row >> bit & 1 == 1);
-            }
-            evaluator.scan(false);
-            machine.scan(false);
-            assert_eq!(machine.bit(256), evaluator.value(y) == 1, "{round}: {text}, {row:b}");
-            conducting += u32::from(machine.bit(256));
-        }
+        conducting += in_all_states(&program, &image, contacts, &text);
     }
     assert!(conducting > 5000, "{conducting}");
 }
