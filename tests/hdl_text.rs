@@ -7,6 +7,7 @@ use std::collections::BTreeSet;
 use common::designs;
 use hotrail::backend::hdl::{self, Language, Options};
 use hotrail::circuit::{Circuit, Design, Valid};
+use hotrail::expand::{self, Schedule};
 
 fn print(design: &Valid<Design>, language: Language) -> String {
     let options = Options { source: "test.ladder".to_owned(), ..Options::default() };
@@ -134,4 +135,26 @@ fn deep_and_wide_expressions_print_in_bounded_depth_and_time() {
         assert!(longest <= Some(140), "{longest:?}");
         assert!(text.lines().count() < 400_000);
     }
+}
+
+/// Whatever the variables are called.
+#[test]
+fn ports_that_the_hardware_has_besides_keep_their_names() {
+    let ladder = include_str!("lockstep/ports_with_names_of_ours.ladder");
+    let program = common::analyze("ports.ladder", ladder).unwrap();
+    let named = |schedule| {
+        let options = expand::Options { schedule, ..expand::Options::default() };
+        let text = print(&hotrail::compile(&program, &options), Language::Verilog);
+        let ports = text.lines().filter(|line| line.contains("put "));
+        let name = |line: &str| line.rsplit(' ').next().unwrap().trim_end_matches(',').to_owned();
+        ports.map(name).collect::<Vec<String>>().join(" ")
+    };
+    assert_eq!(
+        named(Schedule::Flat),
+        "clk rst tick tick_u scan_start_u clk_u rst_u scan_done_u scan_1 enable"
+    );
+    assert_eq!(
+        named(Schedule::Levels),
+        "clk rst tick scan_start tick_u scan_start_u clk_u rst_u scan_done_u scan_1 enable scan_done"
+    );
 }

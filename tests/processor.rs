@@ -225,6 +225,7 @@ fn a_network_has_a_word_for_each_contact() {
         (1, "left -> right : a  left -> n1 : b  n1 -> left : c"),
         // A bridge, and one with a way past it.
         (5, "left -> n1 : a  left -> n2 : b  n1 <-> n2 : c  n1 -> right : d  n2 -> right : e"),
+        (5, "left <-> n1 : a  n2 <-> left : b  n1 <-> n2 : c  n1 <-> right : d  right <-> n2 : e"),
         (
             6,
             "left -> n1 : a  left -> n2 : b  n1 <-> n2 : c  n1 -> right : d  n2 -> right : e
