@@ -117,6 +117,34 @@ fn long_expressions_are_broken_at_operators() {
     insta::assert_snapshot!("long.vhd", body(&vhdl));
 }
 
+/// Wherever the end of a line falls, and a line that is broken had no room for what follows.
+#[test]
+fn words_without_an_operand_are_broken_too() {
+    for length in 4..=40 {
+        let [a, b] = ["a", "b"].map(|start| format!("{start:x<length$}"));
+        let ladder = format!(
+            "ladder words input {a}, {b} : UINT output q : UINT output y
+             rung {{ q := {a} / {b} }} rung {{ {a} = {b} }} ( y )"
+        );
+        let program = common::analyze("words.ladder", &ladder).unwrap();
+        let design = hotrail::compile(&program, &expand::Options::default());
+        for language in [Language::Verilog, Language::Vhdl] {
+            let text = print(&design, language);
+            let code = text.lines().filter(|line| !line.trim_start().starts_with(['/', '-']));
+            let lines: Vec<&str> = code.collect();
+            for (line, next) in lines.iter().zip(&lines[1..]) {
+                assert!(line.len() <= 100, "{} columns: {line}", line.len());
+                let next = next.trim_start();
+                let is_word = ["== ", "? ", "else '0'"];
+                if is_word.iter().any(|word| next.starts_with(word)) {
+                    let word = next.split(' ').next().unwrap_or_default();
+                    assert!(line.len() + 1 + word.len() > 90, "{line}\n{next}");
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn deep_and_wide_expressions_print_in_bounded_depth_and_time() {
     let mut circuit = Circuit::new("deep");
@@ -157,4 +185,23 @@ fn ports_that_the_hardware_has_besides_keep_their_names() {
         named(Schedule::Levels),
         "clk rst tick scan_start tick_u scan_start_u clk_u rst_u scan_done_u scan_1 enable scan_done"
     );
+}
+
+/// In the clocks of its rung, if a scan takes several.
+#[test]
+fn a_block_has_an_enable_where_its_rung_has_a_clock() {
+    let ladder = "ladder clocks input a output x, y rung a t:TON(PT := 5ms) (x) rung x (y)";
+    let program = common::analyze("clocks.ladder", ladder).unwrap();
+    for (schedule, enables) in [(Schedule::Flat, 0), (Schedule::Serial, 1)] {
+        let options = expand::Options { schedule, ..expand::Options::default() };
+        let design = hotrail::compile(&program, &options);
+        for (language, port, connection) in [
+            (Language::Verilog, "input  wire enable,", ".enable(rung_1)"),
+            (Language::Vhdl, "enable : in  std_logic;", "enable => rung_1"),
+        ] {
+            let text = print(&design, language);
+            assert_eq!(text.matches(port).count(), enables, "{text}");
+            assert_eq!(text.matches(connection).count(), enables, "{text}");
+        }
+    }
 }

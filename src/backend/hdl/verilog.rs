@@ -173,7 +173,7 @@ impl Dialect for Verilog {
     const PORT_CONVERSION: Option<&'static str> = None;
 
     fn lead(name: &str, width: u32) -> usize {
-        let range = if width == 1 { 0 } else { 4 + width.ilog10() as usize + 1 };
+        let range = if width == 1 { 0 } else { "[:0] ".len() + (width - 1).ilog10() as usize + 1 };
         "  wire  =".len() + range + name.len()
     }
 
