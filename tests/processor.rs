@@ -223,6 +223,7 @@ fn a_network_has_a_word_for_each_contact() {
         (3, "left <-> n1 : a  n1 <-> n2 : b  n2 <-> right : c"),
         (3, "left -> n1 : a  n1 -> n2 : b  n2 -> right : c  n2 -> n3 : d  n2 <-> n4 : e"),
         (1, "left -> right : a  left -> n1 : b  n1 -> left : c"),
+        (1, "left -> right : a  left -> n1 : [ b | c ]"),
         // A bridge, and one with a way past it.
         (5, "left -> n1 : a  left -> n2 : b  n1 <-> n2 : c  n1 -> right : d  n2 -> right : e"),
         (5, "left <-> n1 : a  n2 <-> left : b  n1 <-> n2 : c  n1 <-> right : d  right <-> n2 : e"),
@@ -237,6 +238,28 @@ fn a_network_has_a_word_for_each_contact() {
         let (_, image) = compile(&text).unwrap_or_else(|findings| panic!("{findings}"));
         assert_eq!(image.rom.code.len(), contacts + 2, "{network}");
     }
+}
+
+#[test]
+fn a_block_whose_own_output_is_its_power_sees_that_of_the_last_scan() {
+    let text = "ladder own input a output y, z rung !e.Q e:R_TRIG() (y) rung a !f.Q f:F_TRIG() (z)";
+    let (program, image) = compile(text).unwrap_or_else(|findings| panic!("{findings}"));
+    let wrong = emulated::difference(&program, &image, 100, Rng::with_seed(1));
+    assert_eq!(wrong, None);
+}
+
+/// One for each word, and what docs/processor.md says of a function besides.
+#[test]
+fn clocks_of_a_scan_are_counted() {
+    let besides_words = |block: &str| {
+        let text = format!("ladder clocks tick 100ms input a output y rung {block} (y)");
+        let (_, image) = compile(&text).unwrap_or_else(|findings| panic!("{findings}"));
+        let mut machine = Machine::new(&image.rom).unwrap();
+        machine.scan(false);
+        machine.clocks() - image.rom.code.len() as u64
+    };
+    let drum = besides_words("a d:DRUM(PV := 4, EN := a, TAPS := [1, 2])");
+    assert_eq!(drum - besides_words("a"), 7 + 2);
 }
 
 /// A bridge has to be looked at before a later branch writes one of its contacts.

@@ -27,11 +27,15 @@ fn a_block_that_runs_without_power_cannot_be_reset() {
 }
 
 #[test]
-fn a_preset_that_changes_is_refused_by_its_reason() {
-    for (preset, told) in [("n", "a variable preset of a drum"), ("n + 1", "such a preset")] {
+fn what_a_block_cannot_be_given_is_refused_by_its_reason() {
+    for (call, told) in [
+        ("DRUM(PV := n, EN := a, TAPS := [1])", "a variable preset of a drum"),
+        ("DRUM(PV := n + 1, EN := a, TAPS := [1])", "such a preset"),
+        ("TON(PT := 24h)", "such a long time of the block TON"),
+        ("TON(PT := t)", "a variable time"),
+    ] {
         let text = format!(
-            "ladder demo input a input n : INT output y
-             rung a d:DRUM(PV := {preset}, EN := a, TAPS := [1]) (y)"
+            "ladder demo tick 1s input a input n : INT input t : TIME output y rung a b:{call} (y)"
         );
         let findings = compile(&text).map(|_| ()).unwrap_err();
         assert!(findings.contains(&format!("cannot do {told}")), "{findings}");
