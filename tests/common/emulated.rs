@@ -44,7 +44,7 @@ pub fn difference(
                 evaluator.drive(input, value.into());
                 machine.drive(address, value);
             } else if let Some(register) = image.layout.register(input) {
-                let value = [-1, 0, 1, 2, 3, 5, 20_000][random.usize(..7)];
+                let value = [-1, 0, 1, 2, 3, 5, 20_000, 32_767][random.usize(..8)];
                 evaluator.drive(input, value);
                 machine.write_register(register, value as u16);
             }
