@@ -2,6 +2,7 @@
 
 mod common;
 
+use common::node_name;
 use fastrand::Rng;
 use hotrail::circuit::Simulator;
 use hotrail::eval::Evaluator;
@@ -64,16 +65,12 @@ fn the_bridge_conducts_on_its_six_paths() {
 
 /// Every node connected with every other one, and the number of connections.
 fn mesh(nodes: usize, arrow: &str) -> (String, usize) {
-    let name = |node: usize| match node {
-        0 => "left".to_owned(),
-        1 => "right".to_owned(),
-        _ => format!("n{node}"),
-    };
     let (mut inputs, mut connections) = (Vec::new(), String::new());
     for from in 0..nodes {
         for to in (0..nodes).filter(|&to| if arrow == "->" { to != from } else { to > from }) {
             inputs.push(format!("c_{from}_{to}"));
-            connections += &format!("{} {arrow} {} : c_{from}_{to}\n", name(from), name(to));
+            connections +=
+                &format!("{} {arrow} {} : c_{from}_{to}\n", node_name(from), node_name(to));
         }
     }
     let inputs = (inputs.join(", "), inputs.len());

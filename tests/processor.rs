@@ -3,7 +3,7 @@
 mod common;
 
 use common::emulated::{self, compile};
-use common::{amount, checks, lp, relay, trees};
+use common::{amount, checks, lp, node_name, relay, trees};
 use fastrand::Rng;
 use hotrail::backend::processor::{
     self, Bridge, Contact, Image, Machine, Operation, Tree, Word, decode, encode,
@@ -174,18 +174,13 @@ fn random_programs() {
 /// A network of a few inner nodes, with a contact for each connection.
 fn network(random: &mut Rng) -> (String, usize) {
     let nodes = 2 + random.usize(1..6);
-    let name = |node: usize| match node {
-        0 => "left".to_owned(),
-        1 => "right".to_owned(),
-        _ => format!("n{node}"),
-    };
     let mut connections = String::new();
     let contacts = random.usize(2..11);
     for contact in 0..contacts {
         let from = random.usize(..nodes);
         let to = (from + random.usize(1..nodes)) % nodes;
         let arrow = if random.bool() { "->" } else { "<->" };
-        connections += &format!("{} {arrow} {} : x{contact}\n", name(from), name(to));
+        connections += &format!("{} {arrow} {} : x{contact}\n", node_name(from), node_name(to));
     }
     let inputs: Vec<String> = (0..contacts).map(|contact| format!("x{contact}")).collect();
     let text = format!(

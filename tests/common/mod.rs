@@ -150,3 +150,12 @@ pub fn examples() -> Vec<Example> {
     });
     examples.collect()
 }
+
+/// What a node of a network is called: the ends of it are 0 and 1.
+pub fn node_name(node: usize) -> String {
+    match node {
+        0 => "left".to_owned(),
+        1 => "right".to_owned(),
+        _ => format!("n{node}"),
+    }
+}

@@ -73,12 +73,12 @@ pub fn ladder(rom: &Rom, name: &str) -> Result<String, NotDrawn> {
     used.extend(pins.inputs.checked_sub(1));
     used.extend(pins.outputs.checked_sub(1).map(|last| FIRST_OUTPUT + last));
     let mut text = format!("ladder {name}\n");
-    let slowest = 1_000_000_000_u64.div_ceil(rom.tick_ns.max(1));
-    if rom.tick_ns > 0 && slowest > quantity::DEFAULT_CLOCK_HZ {
-        // A tick is no shorter than a clock.
-        writeln!(text, "clock {slowest}Hz").expect("fits");
-    }
     if rom.tick_ns > 0 {
+        // A tick is no shorter than a clock.
+        let slowest = 1_000_000_000_u64.div_ceil(rom.tick_ns);
+        if slowest > quantity::DEFAULT_CLOCK_HZ {
+            writeln!(text, "clock {slowest}Hz").expect("fits");
+        }
         writeln!(text, "tick {}", quantity::time_text(rom.tick_ns.into())).expect("fits");
     }
     text.push('\n');

@@ -1,6 +1,6 @@
 //! Faults in the text of a file, behind switches. Lines stay where they are.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 use std::ops::Range;
 
 use anyhow::{Context, Result};
@@ -15,26 +15,23 @@ use crate::fault::{Fault, Function, Genre, Place};
 pub fn plant(text: &str, faults: &[(usize, &Fault)]) -> Result<(String, Vec<usize>)> {
     let mut lines = vec![0];
     lines.extend(text.match_indices('\n').map(|(at, _)| at + 1));
-    let mut planting =
-        Planting { text, lines, faults: HashMap::new(), edits: Vec::new(), done: HashSet::new() };
-    for &(number, fault) in faults {
-        let key = (fault.genre, fault.span.start);
-        planting.faults.entry(key).or_default().push((number, fault));
-    }
-    // Before all else that begins where a body does.
+    let mut planting = Planting { text, lines, faults: HashMap::new(), edits: Vec::new() };
     for &(number, fault) in faults {
         // What a function returns of a type that it does not name is of one type alone.
         let is_named = |function: &Function| !function.return_type.contains("impl ");
         if fault.genre == Genre::FnValue && fault.function.as_ref().is_some_and(is_named) {
+            // Before all else that begins where a body does.
             let at = planting.offset(fault.span.start.line, fault.span.start.column - 1);
             let instead = fault.replacement.replace('\n', " ");
             planting.insert(at, format!("if crate::planted({number}) {{ return {instead}; }} "));
-            planting.done.insert(number);
+        } else {
+            let key = (fault.genre, fault.span.start);
+            planting.faults.entry(key).or_default().push((number, fault));
         }
     }
     planting.visit_file(&syn::parse_file(text)?);
 
-    let Planting { mut edits, done, .. } = planting;
+    let Planting { mut edits, faults: left, .. } = planting;
     edits.sort_by_key(|(range, _)| range.start);
     let mut changed = String::new();
     let mut at = 0;
@@ -43,7 +40,7 @@ pub fn plant(text: &str, faults: &[(usize, &Fault)]) -> Result<(String, Vec<usiz
         changed += &new;
         at = range.end;
     }
-    let left = faults.iter().map(|(number, _)| *number).filter(|number| !done.contains(number));
+    let left = left.into_values().flatten().map(|(number, _)| number);
     Ok((changed + &text[at..], left.collect()))
 }
 
@@ -51,10 +48,10 @@ struct Planting<'a> {
     text: &'a str,
     /// Where each line starts.
     lines: Vec<usize>,
+    /// Those that are not planted yet.
     faults: HashMap<(Genre, Place), Vec<(usize, &'a Fault)>>,
     /// What is replaced by what; those at one place in the order in which they shall stand.
     edits: Vec<(Range<usize>, String)>,
-    done: HashSet<usize>,
 }
 
 impl<'a> Planting<'a> {
@@ -77,9 +74,7 @@ impl<'a> Planting<'a> {
     /// Takes the faults of a kind that start somewhere.
     fn take(&mut self, genre: Genre, start: LineColumn) -> Vec<(usize, &'a Fault)> {
         let place = Place { line: start.line, column: start.column + 1 };
-        let found = self.faults.remove(&(genre, place)).unwrap_or_default();
-        self.done.extend(found.iter().map(|(number, _)| number));
-        found
+        self.faults.remove(&(genre, place)).unwrap_or_default()
     }
 
     /// One of two operators between truth values for the other: the left operand decides the other way round.
@@ -151,20 +146,14 @@ impl<'a> Planting<'a> {
 
 impl<'ast> Visit<'ast> for Planting<'_> {
     fn visit_expr_binary(&mut self, binary: &'ast ExprBinary) {
+        // A condition that binds names has no other operator.
+        if binds(&binary.left) || binds(&binary.right) {
+            return visit::visit_expr_binary(self, binary);
+        }
         let found = self.take(Genre::BinaryOperator, binary.op.span().start());
-        let has_let = [&binary.left, &binary.right].into_iter().any(|side| binds(side));
         match (&found[..], binary.op) {
-            ([(number, _)], BinOp::And(_) | BinOp::Or(_)) if !has_let => {
-                self.and_or(*number, binary)
-            }
             ([], _) => visit::visit_expr_binary(self, binary),
-            // A condition that binds names has no other operator.
-            (_, BinOp::And(_) | BinOp::Or(_)) => {
-                for (number, _) in found {
-                    self.done.remove(&number);
-                }
-                visit::visit_expr_binary(self, binary);
-            }
+            ([(number, _)], BinOp::And(_) | BinOp::Or(_)) => self.and_or(*number, binary),
             _ if self.text[self.range(&binary.op)].ends_with('=')
                 && !matches!(
                     binary.op,
@@ -192,38 +181,33 @@ impl<'ast> Visit<'ast> for Planting<'_> {
     }
 
     fn visit_arm(&mut self, arm: &'ast Arm) {
-        let left_out = self.take(Genre::MatchArm, arm.span().start());
-        let stays: String =
-            left_out.iter().map(|(number, _)| format!("!crate::planted({number})")).collect();
-        match &arm.guard {
-            None if !stays.is_empty() => {
-                let end = self.range(&arm.pat).end;
-                self.insert(end, format!(" if {stays}"));
-                visit::visit_arm(self, arm);
-            }
-            Some((_, guard)) if !binds(guard) => {
-                let found = self.take(Genre::MatchArmGuard, guard.span().start());
-                let range = self.range(&**guard);
-                let mut before = if stays.is_empty() { String::new() } else { stays + " && " };
-                let mut after = String::new();
-                for (number, fault) in found {
-                    let is_true = fault.replacement == "true";
-                    let (not, operator) = if is_true { ("", "||") } else { ("!", "&&") };
-                    before += &format!("({not}crate::planted({number}) {operator} ");
-                    after += ")";
-                }
-                self.insert(range.start, before + "(");
-                self.visit_expr(guard);
-                self.insert(range.end, after + ")");
-                self.visit_expr(&arm.body);
-            }
-            _ => {
-                for (number, _) in left_out {
-                    self.done.remove(&number);
-                }
-                visit::visit_arm(self, arm);
-            }
+        if arm.guard.as_ref().is_some_and(|(_, guard)| binds(guard)) {
+            return visit::visit_arm(self, arm);
         }
+        let left_out = self.take(Genre::MatchArm, arm.span().start());
+        let mut before: String =
+            left_out.iter().map(|(number, _)| format!("!crate::planted({number})")).collect();
+        let Some((_, guard)) = &arm.guard else {
+            if !before.is_empty() {
+                self.insert(self.range(&arm.pat).end, format!(" if {before}"));
+            }
+            return visit::visit_arm(self, arm);
+        };
+        if !before.is_empty() {
+            before += " && ";
+        }
+        let mut after = String::new();
+        for (number, fault) in self.take(Genre::MatchArmGuard, guard.span().start()) {
+            let is_true = fault.replacement == "true";
+            let (not, operator) = if is_true { ("", "||") } else { ("!", "&&") };
+            before += &format!("({not}crate::planted({number}) {operator} ");
+            after += ")";
+        }
+        let range = self.range(&**guard);
+        self.insert(range.start, before + "(");
+        self.visit_expr(guard);
+        self.insert(range.end, after + ")");
+        self.visit_expr(&arm.body);
     }
 
     fn visit_expr_struct(&mut self, structure: &'ast ExprStruct) {
